@@ -22,4 +22,10 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
+// "file:line:column: error: message"; what is unknown is left out. A limit is an error to the reader.
+[[nodiscard]] std::string format(const Diagnostic& diagnostic);
+
+// True when something is worse than a warning: the scene must not be drawn.
+[[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
+
 }  // namespace halfspace

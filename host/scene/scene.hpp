@@ -1,6 +1,6 @@
 // scene.hpp - what a UniQuadrix text says, statement by statement, before any coordinate is computed.
-// Order    Statements keep the order of the text: it decides which of two coincident faces wins (design: ties).
-// Numbers  A coefficient keeps its text, so that the flattener and the oracle read the same decimal exactly.
+// Order    Statements keep the order of the text: it decides which of two coincident faces wins.
+// Numbers  A coefficient keeps its text, so that flattener and oracle read the same decimal exactly.
 // Source   Ressler 1985, chapter 2.
 #pragma once
 
@@ -15,8 +15,9 @@
 
 namespace halfspace {
 
-// A decimal number of the scene. The parser guarantees that `text` is a finite decimal literal whose
-// magnitude is 0 or within [1e-308, 1e308], and that `value` is the double nearest to it.
+// A decimal number of the scene. The parser guarantees that `text` is [-] digits [. digits] [e [+-] digits]
+// (digits on one side of the point are enough), at most 400 bytes, "0" for zero; that its magnitude is 0 or
+// within [1e-308, 1e308]; and that `value` is the double nearest to it.
 struct Number {
   std::string text;
   double value = 0;
@@ -52,11 +53,26 @@ struct BodyStatement {
 
 enum class Axis : std::uint8_t { x, y, z };
 
-struct TranslateTransform { Axis axis; Number distance; };
-struct ScaleTransform { Axis axis; Number factor; };
-struct ScaleAllTransform { Number factor; };               // =sa
-struct RotateTransform { Axis axis; Number degrees; };     // right-hand rule, row vectors
-struct ShearTransform { Axis along; Axis moved; Number amount; };  // =vxy: along x, moved y: y' = y + amount * x
+struct TranslateTransform {
+  Axis axis;
+  Number distance;
+};
+struct ScaleTransform {
+  Axis axis;
+  Number factor;
+};
+struct ScaleAllTransform {  // =sa
+  Number factor;
+};
+struct RotateTransform {  // right-hand rule, row vectors
+  Axis axis;
+  Number degrees;
+};
+struct ShearTransform {  // =vxy: along x, moved y: y' = y + amount * x
+  Axis along;
+  Axis moved;
+  Number amount;
+};
 using Transform =
     std::variant<TranslateTransform, ScaleTransform, ScaleAllTransform, RotateTransform, ShearTransform>;
 
