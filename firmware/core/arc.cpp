@@ -1,0 +1,133 @@
+#include "firmware/core/arc.hpp"
+
+#include <type_traits>
+
+#include "firmware/core/registers.hpp"
+
+namespace halfspace {
+namespace {
+
+template <class Int>
+Int read_coefficient(JobReader& in) {
+  if constexpr (std::is_same_v<Int, std::int64_t>) {
+    return in.wide<64>().low64();
+  } else {
+    return Int(in.wide<256>());
+  }
+}
+
+// Where the walk stands: the registers' dot and the dots it may visit.
+struct Cursor {
+  std::int16_t x = 0;
+  std::int16_t x_min = 0, x_end = 0;  // x_end = scissor.x1 + 1: "no dot of the line"
+};
+
+template <class Int>
+struct LineArc {
+  FirstOrder<Int> form;
+  Cursor at;
+
+  void load(JobReader& in, const ArcStart& start) {
+    form.x = read_coefficient<Int>(in);
+    form.y = read_coefficient<Int>(in);
+    form.r = read_coefficient<Int>(in);
+    form.jump_x(start.x - start.origin_x);
+    form.jump_y(start.y - start.origin_y);
+  }
+  [[nodiscard]] bool at_or_right() const { return sign_of(form.r) >= 0; }
+  [[nodiscard]] bool right() const { return sign_of(form.r) > 0; }
+};
+
+template <class Int>
+struct ConicArc {
+  SecondOrder<Int> form;
+  Cursor at;
+  ArcBranch branch;
+
+  void load(JobReader& in, const ArcStart& start) {
+    branch = start.branch;
+    std::array<Int, 6> q;
+    for (Int& c : q) c = read_coefficient<Int>(in);
+    form = SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x,
+                                  start.y - start.origin_y);
+  }
+  // The sign of 2 A x + B y + D: twice the register x is r(x+1) - r(x-1) + 2A.
+  [[nodiscard]] int slope_sign() const { return sign_of(form.x + form.x - form.xx); }
+  [[nodiscard]] bool at_or_right() const {
+    const int value = sign_of(form.r);
+    switch (branch) {
+      case ArcBranch::left:
+        return value <= 0 || slope_sign() >= 0;
+      case ArcBranch::right:
+        return value >= 0 && slope_sign() >= 0;
+      default:
+        return value >= 0;
+    }
+  }
+  [[nodiscard]] bool right() const {
+    const int value = sign_of(form.r);
+    switch (branch) {
+      case ArcBranch::left:
+        return value < 0 || slope_sign() > 0;
+      case ArcBranch::right:
+        return value > 0 && slope_sign() > 0;
+      default:
+        return value > 0;
+    }
+  }
+};
+
+// Moves the registers to the first dot of [x_min, x_end] at or right of the crossing.
+template <class Arc>
+ArcCrossing settle(Arc& arc) {
+  Cursor& at = arc.at;
+  if (at.x < at.x_end && !arc.at_or_right()) {
+    do {
+      arc.form.step_x();
+      ++at.x;
+    } while (at.x < at.x_end && !arc.at_or_right());
+  } else {
+    while (at.x > at.x_min) {
+      arc.form.back_x();
+      if (!arc.at_or_right()) {
+        arc.form.step_x();
+        break;
+      }
+      --at.x;
+    }
+  }
+  ArcCrossing crossing{at.x, at.x};
+  if (at.x < at.x_end && !arc.right()) ++crossing.right;
+  return crossing;
+}
+
+template <class Arc>
+ArcCrossing load(JobReader& in, const ArcStart& start, void* state) {
+  Arc& arc = *static_cast<Arc*>(state);
+  arc = Arc{};
+  arc.load(in, start);
+  arc.at = {static_cast<std::int16_t>(start.x), static_cast<std::int16_t>(start.x_min),
+            static_cast<std::int16_t>(start.x_max + 1)};
+  return settle(arc);
+}
+
+template <class Arc>
+ArcCrossing next_line(void* state) {
+  Arc& arc = *static_cast<Arc*>(state);
+  arc.form.step_y();
+  return settle(arc);
+}
+
+template <class Arc>
+constexpr ArcModule module_of{static_cast<std::int32_t>(sizeof(Arc)), &load<Arc>, &next_line<Arc>};
+
+}  // namespace
+
+const ArcModule line_arc_64 = module_of<LineArc<std::int64_t>>;
+const ArcModule line_arc_128 = module_of<LineArc<Wide<128>>>;
+const ArcModule line_arc_256 = module_of<LineArc<Wide<256>>>;
+const ArcModule conic_arc_64 = module_of<ConicArc<std::int64_t>>;
+const ArcModule conic_arc_128 = module_of<ConicArc<Wide<128>>>;
+const ArcModule conic_arc_256 = module_of<ConicArc<Wide<256>>>;
+
+}  // namespace halfspace

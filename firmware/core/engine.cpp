@@ -1,0 +1,363 @@
+#include "firmware/core/engine.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/exact.hpp"
+#include "firmware/core/job_reader.hpp"
+#include "firmware/core/row_painter.hpp"
+#include "firmware/core/shade.hpp"
+#include "firmware/core/span_list.hpp"
+
+namespace halfspace {
+namespace {
+
+struct ArcSlot {
+  const ArcModule* module = nullptr;
+  std::int16_t last = -1;  // scan line
+  ArcCrossing crossing;
+};
+
+struct CellSlot {
+  std::uint16_t face = 0;
+  std::uint16_t left = no_slot, right = no_slot;  // arcs; both no_slot with `fixed`: x0 and x1 stand
+  std::int16_t last = -1;                         // scan line
+  std::int16_t x0 = 0, x1 = -1;                   // dots on the current line
+  bool fixed = false;
+};
+
+// Carves pools out of the caller's memory, each aligned to 8 bytes. With no memory it only counts.
+class Arena {
+ public:
+  explicit Arena(std::span<std::byte> memory) : memory_(memory) {}
+
+  template <class T>
+  std::span<T> take(std::size_t count) {
+    const std::size_t at = used_;
+    used_ += (count * sizeof(T) + 7) / 8 * 8;
+    if (used_ > memory_.size()) return {};
+    T* first = reinterpret_cast<T*>(memory_.data() + at);
+    for (std::size_t i = 0; i < count; ++i) first[i] = T{};  // implicit-lifetime types only
+    return {first, count};
+  }
+  [[nodiscard]] std::size_t used() const { return used_; }
+
+ private:
+  std::span<std::byte> memory_;
+  std::size_t used_ = 0;
+};
+
+struct Pools {
+  std::span<Face> faces;
+  std::span<ArcSlot> arcs;
+  std::span<std::byte> arc_states;
+  std::span<std::uint16_t> active_arcs, active_cells;
+  std::span<CellSlot> cells;
+  std::span<Span> spans;
+  std::span<std::uint32_t> squares;
+  std::span<PatternRow> patterns;
+  std::span<std::uint32_t> row;
+  std::span<std::uint8_t> band;
+};
+
+std::int32_t state_bytes(const JobHeader& h) { return (h.needs.arc_bytes + 7) / 8 * 8; }
+
+Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
+  const auto size = [](std::int32_t n) { return static_cast<std::size_t>(n); };
+  const bool bilevel = h.page.format == DotFormat::bilevel;
+  Pools p;
+  p.faces = arena.take<Face>(size(h.needs.faces));
+  p.arcs = arena.take<ArcSlot>(size(h.needs.arcs));
+  p.arc_states = arena.take<std::byte>(size(h.needs.arcs) * size(state_bytes(h)));
+  p.active_arcs = arena.take<std::uint16_t>(size(h.needs.arcs));
+  p.active_cells = arena.take<std::uint16_t>(size(h.needs.cells));
+  p.cells = arena.take<CellSlot>(size(h.needs.cells));
+  p.spans = arena.take<Span>(size(h.needs.spans));
+  p.squares = arena.take<std::uint32_t>(size(h.page.levels));
+  p.patterns = arena.take<PatternRow>(bilevel ? size(h.page.levels) * cell_side : 0);
+  p.row = arena.take<std::uint32_t>(row_words(h.page));
+  p.band = arena.take<std::uint8_t>(h.page.row_bytes() * size(band_rows));
+  return p;
+}
+
+class Engine {
+ public:
+  Engine(const JobHeader& header, const Pools& pools, JobReader& in, BandSink& sink,
+         const DrawOptions& options, ArcModules modules, std::int32_t band_rows, DrawResult& result)
+      : h_(header),
+        p_(pools),
+        in_(in),
+        sink_(sink),
+        options_(options),
+        modules_(modules),
+        band_rows_(band_rows),
+        result_(result),
+        spans_(pools.spans, pools.faces, result.counters),
+        painter_(header.page, pools.row, pools.patterns),
+        levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
+
+  void run() {
+    if (h_.page.format == DotFormat::bilevel) make_patterns(h_.screen, h_.page.levels, p_.patterns);
+    next_record();
+    for (std::int32_t y = 0; y < h_.page.height && result_.status == DrawStatus::ok; ++y) {
+      result_.line = y;
+      painter_.begin(y);
+      advance(y);
+      read_records(y);
+      if (result_.status == DrawStatus::ok) sweep(y);
+      if (result_.status == DrawStatus::ok && !options_.measure) put_row(y);
+    }
+    if (result_.status == DrawStatus::ok && type_ != Record::end) result_.status = DrawStatus::bad_record;
+  }
+
+ private:
+  void fail(DrawStatus status) {
+    if (result_.status == DrawStatus::ok) result_.status = status;
+  }
+
+  // --- records
+  // -----------------------------------------------------------------------------------------------
+
+  void next_record() {
+    const std::uint8_t type = in_.byte();
+    type_ = static_cast<Record>(type);
+    if (type > static_cast<std::uint8_t>(Record::span)) fail(DrawStatus::bad_record);
+    if (type_ != Record::end) enter_ += in_.number_in(0, h_.page.height);
+    if (in_.failed()) fail(DrawStatus::bad_record);
+  }
+
+  std::uint16_t slot(std::size_t count) {
+    return static_cast<std::uint16_t>(in_.number_in(0, static_cast<std::int32_t>(count) - 1));
+  }
+  std::uint16_t arc_or_none() {
+    const std::int32_t number = in_.number_in(-1, static_cast<std::int32_t>(p_.arcs.size()) - 1);
+    return number < 0 ? no_slot : static_cast<std::uint16_t>(number);
+  }
+  std::int16_t last_line(std::int32_t y) {
+    return static_cast<std::int16_t>(in_.number_in(y, h_.page.height - 1));
+  }
+
+  void read_records(std::int32_t y) {
+    while (result_.status == DrawStatus::ok && type_ != Record::end && enter_ <= y) {
+      switch (type_) {
+        case Record::arc:
+          read_arc(y);
+          break;
+        case Record::cell:
+          read_cell(y);
+          break;
+        case Record::span:
+          read_span(y);
+          break;
+        default: {
+          const std::uint16_t face = slot(p_.faces.size());
+          if (!in_.failed()) read_face(in_, type_, p_.faces[face]);
+        }
+      }
+      if (in_.failed()) {
+        fail(DrawStatus::bad_record);
+      } else {
+        next_record();
+      }
+    }
+  }
+
+  void read_arc(std::int32_t y) {
+    const std::uint16_t number = slot(p_.arcs.size());
+    const std::int32_t kind = in_.number_in(0, arc_kinds - 1);
+    ArcStart start;
+    start.branch = static_cast<ArcBranch>(in_.number_in(0, 2));
+    start.origin_x = in_.number_in(-(1 << 24), 1 << 24);
+    start.origin_y = in_.number_in(-(1 << 24), 1 << 24);
+    const std::int16_t last = last_line(y);
+    start.x_min = h_.x0;
+    start.x_max = h_.x1;
+    start.x = in_.number_in(h_.x0, h_.x1 + 1);
+    start.y = y;
+    if (in_.failed() || active_arc_count_ == p_.active_arcs.size()) return fail(DrawStatus::bad_record);
+    const ArcModule* module = modules_[static_cast<std::size_t>(kind)];
+    if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
+    p_.arcs[number] = {module, last, module->load(in_, start, state(number))};
+    p_.active_arcs[active_arc_count_++] = number;
+  }
+
+  void read_cell(std::int32_t y) {
+    CellSlot cell;
+    const std::uint16_t number = slot(p_.cells.size());
+    cell.face = slot(p_.faces.size());
+    cell.left = arc_or_none();
+    cell.right = arc_or_none();
+    cell.last = last_line(y);
+    activate(number, cell);
+  }
+
+  void read_span(std::int32_t y) {
+    CellSlot cell;
+    const std::uint16_t number = slot(p_.cells.size());
+    cell.face = slot(p_.faces.size());
+    cell.x0 = static_cast<std::int16_t>(in_.number_in(h_.x0, h_.x1));
+    cell.x1 = static_cast<std::int16_t>(in_.number_in(cell.x0, h_.x1));
+    cell.last = static_cast<std::int16_t>(y);
+    cell.fixed = true;
+    activate(number, cell);
+  }
+
+  void activate(std::uint16_t number, const CellSlot& cell) {
+    if (in_.failed() || active_cell_count_ == p_.active_cells.size()) return fail(DrawStatus::bad_record);
+    p_.cells[number] = cell;
+    p_.active_cells[active_cell_count_++] = number;
+  }
+
+  void* state(std::uint16_t arc) {
+    return p_.arc_states.data() + static_cast<std::size_t>(arc) * static_cast<std::size_t>(state_bytes(h_));
+  }
+
+  // --- the sweep
+  // ---------------------------------------------------------------------------------------------
+
+  // Steps the arcs to scan line y; arcs and cells whose last line has passed leave.
+  void advance(std::int32_t y) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < active_arc_count_; ++i) {
+      const std::uint16_t number = p_.active_arcs[i];
+      ArcSlot& arc = p_.arcs[number];
+      if (arc.last < y) continue;
+      arc.crossing = arc.module->next_line(state(number));
+      p_.active_arcs[kept++] = number;
+    }
+    active_arc_count_ = kept;
+    kept = 0;
+    for (std::size_t i = 0; i < active_cell_count_; ++i) {
+      const std::uint16_t number = p_.active_cells[i];
+      if (p_.cells[number].last >= y) p_.active_cells[kept++] = number;
+    }
+    active_cell_count_ = kept;
+  }
+
+  // The dots of a cell on the current line: closed between its arcs.
+  void place(CellSlot& cell, std::int32_t y) {
+    if (!cell.fixed) {
+      cell.x0 =
+          cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.arcs[cell.left].crossing.at_or_right;
+      cell.x1 =
+          static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
+    }
+    const Face& face = p_.faces[cell.face];
+    if (face.kind != FaceKind::rational) return;
+    while (cell.x0 <= cell.x1 && is_absent(face, cell.x0, y)) ++cell.x0;
+    while (cell.x0 <= cell.x1 && is_absent(face, cell.x1, y)) --cell.x1;
+  }
+
+  // Places every active cell and keeps the list in ascending order of first dots: nearly sorted from the line
+  // before.
+  void sort_cells(std::int32_t y) {
+    for (std::size_t i = 0; i < active_cell_count_; ++i) {
+      const std::uint16_t number = p_.active_cells[i];
+      place(p_.cells[number], y);
+      std::size_t j = i;
+      for (; j > 0 && p_.cells[p_.active_cells[j - 1]].x0 > p_.cells[number].x0; --j) {
+        p_.active_cells[j] = p_.active_cells[j - 1];
+        ++result_.counters.edge_swaps;
+      }
+      p_.active_cells[j] = number;
+    }
+  }
+
+  void sweep(std::int32_t y) {
+    ++result_.counters.lines;
+    sort_cells(y);
+    spans_.clear(y);
+    for (std::size_t i = 0; i < active_cell_count_; ++i) {
+      const CellSlot& cell = p_.cells[p_.active_cells[i]];
+      if (cell.x0 > cell.x1) continue;
+      if (!spans_.insert(cell.face, cell.x0, cell.x1)) {
+        result_.have = static_cast<std::int64_t>(p_.spans.size());
+        result_.need = result_.have + 1;
+        return fail(DrawStatus::too_many_spans);
+      }
+    }
+    result_.peak_spans = std::max(result_.peak_spans, spans_.used());
+    if (!options_.measure) shade(y);
+  }
+
+  void shade(std::int32_t y) {
+    Counters& counters = result_.counters;
+    for (std::uint16_t i = spans_.first(); i != no_slot; i = spans_.at(i).next) {
+      const Span& span = spans_.at(i);
+      const Face& face = p_.faces[span.face];
+      ++counters.spans;
+      counters.dots += static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
+      if (face.kind == FaceKind::plane) {
+        ++counters.level_spans;
+        painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
+      } else {
+        shade_span(face, h_.lighting, levels_, options_.shader, y, span.x0, span.x1, painter_, counters);
+      }
+    }
+  }
+
+  // --- bands
+  // -------------------------------------------------------------------------------------------------
+
+  void put_row(std::int32_t y) {
+    const std::size_t bytes = h_.page.row_bytes();
+    const std::int32_t row = y % band_rows_;
+    painter_.copy_to(p_.band.subspan(static_cast<std::size_t>(row) * bytes, bytes));
+    if (row != band_rows_ - 1 && y != h_.page.height - 1) return;
+    const Band band{y - row, row + 1, p_.band.first(static_cast<std::size_t>(row + 1) * bytes)};
+    if (!sink_.put_band(band)) fail(DrawStatus::stopped);
+  }
+
+  const JobHeader& h_;
+  const Pools& p_;
+  JobReader& in_;
+  BandSink& sink_;
+  const DrawOptions& options_;
+  ArcModules modules_;
+  std::int32_t band_rows_;
+  DrawResult& result_;
+  SpanList spans_;
+  RowPainter painter_;
+  LevelTable levels_;
+  Record type_ = Record::end;
+  std::int32_t enter_ = 0;
+  std::size_t active_arc_count_ = 0, active_cell_count_ = 0;
+};
+
+// The preferred band height, halved until the job fits.
+std::int32_t choose_band_rows(const JobHeader& header, std::int32_t preferred, std::size_t have) {
+  std::int32_t rows = std::clamp(preferred, 1, header.page.height);
+  while (rows > 1 && memory_needed(header, rows) > have) rows /= 2;
+  return rows;
+}
+
+}  // namespace
+
+std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
+  Arena counting({});
+  (void)carve(counting, header, band_rows);
+  return counting.used();
+}
+
+DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
+                ArcModules modules) {
+  DrawResult result;
+  JobReader in(job);
+  JobHeader header;
+  if (!read_header(in, header)) {
+    result.status = DrawStatus::not_a_job;
+    return result;
+  }
+  result.band_rows = choose_band_rows(header, options.band_rows, memory.size());
+  result.need = static_cast<std::int64_t>(memory_needed(header, result.band_rows));
+  result.have = static_cast<std::int64_t>(memory.size());
+  if (result.need > result.have) {
+    result.status = DrawStatus::does_not_fit;
+    return result;
+  }
+  Arena arena(memory);
+  const Pools pools = carve(arena, header, result.band_rows);
+  Engine(header, pools, in, sink, options, modules, result.band_rows, result).run();
+  return result;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+// face.hpp - one sheet of one half-space's surface, as the core keeps it while it crosses the scan line.
+//
+//   plane     c0 x + c1 y + c2 z + c3 = 0, c2 > 0          z = -(c0 x + c1 y + c3) / c2
+//   root      the quadric of ten, c2 = a > 0               z = (-b + sheet sqrt(D)) / a
+//   rational  the quadric of ten, c2 = 0                   z = -c / (2 b)
+//   with  b = c5 x + c4 y + c8,  D = b^2 - a c,
+//         c = c0 x^2 + 2 c3 xy + c1 y^2 + 2 c6 x + 2 c7 y + c9.
+// Frame   x, y, z are dots local to the body; local + origin = page. Dot (x, y) means its centre.
+// Source  Ressler 1985, (2.1), (2.2), 4.1.1; the coefficients keep the paper's order A B C D E F G H J K.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/core/job_reader.hpp"
+
+namespace halfspace {
+
+enum class FaceKind : std::uint8_t { plane, root, rational };
+
+struct Face {
+  std::array<Wide<128>, 10> c;
+  std::int64_t origin_z = 0;
+  std::int32_t origin_x = 0, origin_y = 0;
+  std::uint32_t order = 0;  // of equally near faces the lowest wins
+  FaceKind kind = FaceKind::plane;
+  std::int8_t sheet = 0;       // root: -1 front, +1 back
+  std::int8_t light_sign = 1;  // -1: the outward normal is against the gradient
+  std::uint8_t level = 0;      // plane: its one level
+};
+
+// Reads what follows the slot number in a face record.
+inline void read_face(JobReader& in, Record type, Face& face) {
+  face.order = in.unsigned_number();
+  face.origin_x = in.number_in(-(1 << 24), 1 << 24);
+  face.origin_y = in.number_in(-(1 << 24), 1 << 24);
+  face.origin_z = in.number();
+  face.kind = type == Record::plane_face  ? FaceKind::plane
+              : type == Record::root_face ? FaceKind::root
+                                          : FaceKind::rational;
+  if (face.kind == FaceKind::plane) {
+    face.level = in.byte();
+  } else {
+    const std::uint8_t flags = in.byte();  // bit 0: back sheet; bit 1: normal against the gradient
+    face.sheet = face.kind == FaceKind::rational ? 0 : (flags & 1U) != 0 ? 1 : -1;
+    face.light_sign = (flags & 2U) != 0 ? -1 : 1;
+  }
+  const int count = face.kind == FaceKind::plane ? 4 : 10;
+  for (int i = 0; i < count; ++i) face.c[i] = in.wide<128>();
+}
+
+}  // namespace halfspace

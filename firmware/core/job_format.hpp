@@ -1,0 +1,56 @@
+// job_format.hpp - the words of a job, shared by the core, which reads it, and the host, which writes it.
+// Bytes   docs/job-format.md draws them. A job is a header, then records sorted by the scan line they enter
+// on. Numbers "varint": 7 bits a byte, least significant first, zigzag for signed values. "wide": one byte of
+// length n,
+//         then n bytes of two's complement, least significant first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/core/page.hpp"
+
+namespace halfspace {
+
+inline constexpr std::array<std::uint8_t, 4> job_magic{'H', 'S', 'J', '1'};
+
+// Every record starts with its type and the lines since the previous record's entry.
+enum class Record : std::uint8_t { end, plane_face, root_face, rational_face, arc, cell, span };
+
+// How an arc's crossing follows from the sign of its form, and the width of its registers.
+enum class ArcKind : std::uint8_t { line64, line128, line256, conic64, conic128, conic256 };
+inline constexpr int arc_kinds = 6;
+
+// Which root of the form an arc follows; see host/resolve/resolved_scene.hpp. A conic of first order in x is
+// `single`.
+enum class ArcBranch : std::uint8_t { single, left, right };
+
+enum class Screen : std::uint8_t { clustered, bayer, blue_noise };
+enum class Shader : std::uint8_t { isqrt, jordan };
+
+inline constexpr std::uint16_t no_slot = 0xffff;
+
+// The lighting of design section 5 as integers: intensity = (ambient + parallel * max(0, cos)) / unit,
+// with N = matrix * (homogeneous page-frame gradient). Ranges: |matrix|, |light| <= 2^15; unit <= 2^16.
+struct Lighting {
+  std::array<std::array<std::int32_t, 4>, 3> matrix{};
+  std::array<std::int32_t, 3> light{};
+  std::int32_t ambient = 0, parallel = 0, unit = 1;
+};
+
+// What a job needs of the machine that draws it; known before the first dot.
+struct JobNeeds {
+  std::int32_t faces = 0, arcs = 0, cells = 0;  // slots in use at once
+  std::int32_t spans = 0;                       // pieces of the fullest scan line
+  std::int32_t arc_bytes = 0;                   // the largest arc kind's registers
+};
+
+struct JobHeader {
+  Page page;
+  Screen screen = Screen::clustered;
+  std::int32_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;  // scissor, inclusive
+  Lighting lighting;
+  JobNeeds needs;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,81 @@
+#include "firmware/core/span_list.hpp"
+
+#include <algorithm>
+
+namespace halfspace {
+
+void SpanList::clear(std::int32_t y) {
+  y_ = y;
+  used_ = 0;
+  first_ = free_ = last_ = hint_ = no_slot;
+}
+
+// Appends after last_, joining with it when the same face goes on. The span at hint_ must keep its end.
+bool SpanList::add(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
+  if (last_ != hint_ && pool_[last_].face == face && pool_[last_].x1 + 1 == x0) {
+    pool_[last_].x1 = static_cast<std::int16_t>(x1);
+    return true;
+  }
+  std::uint16_t slot = free_;
+  if (slot != no_slot) {
+    free_ = pool_[slot].next;
+  } else if (used_ < static_cast<std::int32_t>(pool_.size()) && used_ < no_slot) {
+    slot = static_cast<std::uint16_t>(used_++);
+  } else {
+    return false;
+  }
+  std::uint16_t& link = last_ == no_slot ? first_ : pool_[last_].next;
+  pool_[slot] = {static_cast<std::int16_t>(x0), static_cast<std::int16_t>(x1), face, link};
+  link = slot;
+  last_ = slot;
+  return true;
+}
+
+// Takes out the span after last_.
+void SpanList::remove(std::uint16_t slot) {
+  (last_ == no_slot ? first_ : pool_[last_].next) = pool_[slot].next;
+  pool_[slot].next = free_;
+  free_ = slot;
+}
+
+// Dots x0 .. x1, all covered by `old`'s face until now: the nearer of both, piece by piece.
+bool SpanList::merge(std::uint16_t face, const Span& old, std::int32_t x0, std::int32_t x1) {
+  const std::uint16_t old_face = old.face;
+  DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, counters_);
+  while (!order.done()) {
+    const DepthOrder::Piece piece = order.next();
+    if (!add(piece.first ? face : old_face, x0, piece.end)) return false;
+    x0 = piece.end + 1;
+  }
+  return true;
+}
+
+bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
+  ++counters_.face_inserts;
+  std::uint16_t current = hint_ == no_slot ? first_ : pool_[hint_].next;
+  while (current != no_slot && pool_[current].x1 < x0) {
+    hint_ = current;
+    current = pool_[current].next;
+  }
+  last_ = hint_;
+  while (x0 <= x1) {
+    if (current == no_slot || pool_[current].x0 > x1) return add(face, x0, x1);
+    const Span old = pool_[current];
+    if (x0 < old.x0) {
+      if (!add(face, x0, old.x0 - 1)) return false;
+      x0 = old.x0;
+      continue;
+    }
+    // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
+    const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
+    remove(current);
+    if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
+    if (!merge(face, old, x0, end)) return false;
+    if (end < old.x1) return add(old.face, end + 1, old.x1);
+    x0 = end + 1;
+    current = old.next;
+  }
+  return true;
+}
+
+}  // namespace halfspace
