@@ -134,14 +134,12 @@ DeviceStatus SimulatedSsd1306::apply(std::uint8_t command, std::span<const std::
 
 DeviceStatus SimulatedSsd1306::set_page_address(std::uint8_t command) {
   if (addressing_ != Addressing::page) return violate("page-mode address in another addressing mode");
-  if (command < 0x10) {
-    column_ = (column_ & 0xF0) | command;
-  } else if (command < 0x20) {
-    column_ = (column_ & 0x0F) | (command & 0x0F) << 4;
-  } else {
-    page_ = command & 7;
-  }
-  if (column_ >= columns) return violate("column outside the display");
+  const int column = command < 0x10   ? (column_ & 0xF0) | command
+                     : command < 0x20 ? (column_ & 0x0F) | (command & 0x0F) << 4
+                                      : column_;
+  if (column >= columns) return violate("column outside the display");
+  column_ = column;
+  if (command >= 0xB0) page_ = command & 7;
   enter_window();
   return DeviceStatus::ok;
 }
