@@ -58,7 +58,7 @@ Approximate root_numerator(const Int& b, const Int& discriminant, int sheet) {
   return {-scaled(b, shift) + sheet * root, 3, shift};
 }
 
-DepthSample local_depth(const Face& f, const Int& x, const Int& y) {
+DepthSample local_depth(const ActiveFace& f, const Int& x, const Int& y) {
   const auto c = [&f](int i) { return Int(f.c[i]); };
   if (f.kind == FaceKind::plane) return quotient(leading(-(c(0) * x + c(1) * y + c(3))), c(2));
   const Int b = c(5) * x + c(4) * y + c(8);
@@ -97,7 +97,7 @@ int settled(const DepthSample (&f)[3], const DepthSample (&g)[3], int end) {
 
 }  // namespace
 
-DepthSample sample_depth(const Face& face, std::int32_t x, std::int32_t y) {
+DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y) {
   const std::int64_t lx = static_cast<std::int64_t>(x) - face.origin_x;
   const std::int64_t ly = static_cast<std::int64_t>(y) - face.origin_y;
   DepthSample s = local_depth(face, lx, ly);
@@ -107,8 +107,8 @@ DepthSample sample_depth(const Face& face, std::int32_t x, std::int32_t y) {
   return s;
 }
 
-DepthOrder::DepthOrder(const Face& f, const Face& g, std::int32_t y, std::int32_t a, std::int32_t b,
-                       Counters& counters)
+DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a,
+                       std::int32_t b, Counters& counters)
     : f_(f), g_(g), y_(y), counters_(counters) {
   push(a, b, 0);
 }
@@ -118,7 +118,7 @@ void DepthOrder::push(std::int32_t a, std::int32_t b, int known) {
                       static_cast<std::int8_t>(known)};
 }
 
-DepthSample DepthOrder::sample(const Face& face, std::int32_t x) {
+DepthSample DepthOrder::sample(const ActiveFace& face, std::int32_t x) {
   ++counters_.depth_samples;
   return sample_depth(face, x, y_);
 }

@@ -39,13 +39,13 @@ struct DepthSample {
 };
 inline constexpr int depth_fraction = 16;
 
-[[nodiscard]] DepthSample sample_depth(const Face& face, std::int32_t x, std::int32_t y);
+[[nodiscard]] DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y);
 
 // The order of two faces along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {
  public:
-  DepthOrder(const Face& f, const Face& g, std::int32_t y, std::int32_t a, std::int32_t b,
+  DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
              Counters& counters);
 
   // The next piece: dots up to and including `end`, and whether f (else g) is the one to show there.
@@ -65,11 +65,11 @@ class DepthOrder {
   bool halve(const Run& run, Piece& piece);
   bool split_planes(const Run& run, Piece& piece);
   [[nodiscard]] int winner(int sign) const;
-  [[nodiscard]] DepthSample sample(const Face& face, std::int32_t x);
+  [[nodiscard]] DepthSample sample(const ActiveFace& face, std::int32_t x);
   [[nodiscard]] int order_at(std::int32_t x);
 
-  const Face& f_;
-  const Face& g_;
+  const ActiveFace& f_;
+  const ActiveFace& g_;
   std::int32_t y_;
   Counters& counters_;
   Run stack_[34];

@@ -47,7 +47,7 @@ class Arena {
 };
 
 struct Pools {
-  std::span<Face> faces;
+  std::span<ActiveFace> faces;
   std::span<ArcSlot> arcs;
   std::span<std::byte> arc_states;
   std::span<std::uint16_t> active_arcs, active_cells;
@@ -65,7 +65,7 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   const auto size = [](std::int32_t n) { return static_cast<std::size_t>(n); };
   const bool bilevel = h.page.format == DotFormat::bilevel;
   Pools p;
-  p.faces = arena.take<Face>(size(h.needs.faces));
+  p.faces = arena.take<ActiveFace>(size(h.needs.faces));
   p.arcs = arena.take<ArcSlot>(size(h.needs.arcs));
   p.arc_states = arena.take<std::byte>(size(h.needs.arcs) * size(state_bytes(h)));
   p.active_arcs = arena.take<std::uint16_t>(size(h.needs.arcs));
@@ -241,7 +241,7 @@ class Engine {
       cell.x1 =
           static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
     }
-    const Face& face = p_.faces[cell.face];
+    const ActiveFace& face = p_.faces[cell.face];
     if (face.kind != FaceKind::rational) return;
     while (cell.x0 <= cell.x1 && is_absent(face, cell.x0, y)) ++cell.x0;
     while (cell.x0 <= cell.x1 && is_absent(face, cell.x1, y)) --cell.x1;
@@ -283,7 +283,7 @@ class Engine {
     Counters& counters = result_.counters;
     for (std::uint16_t i = spans_.first(); i != no_slot; i = spans_.at(i).next) {
       const Span& span = spans_.at(i);
-      const Face& face = p_.faces[span.face];
+      const ActiveFace& face = p_.faces[span.face];
       ++counters.spans;
       counters.dots += static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
       if (face.kind == FaceKind::plane) {

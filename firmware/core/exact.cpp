@@ -12,14 +12,14 @@ struct Depth {
 };
 
 // Coefficient i of the face.
-Int coefficient(const Face& face, int i) { return Int(face.c[i]); }
+Int coefficient(const ActiveFace& face, int i) { return Int(face.c[i]); }
 
 // k0 x + k1 y + k2, by the face's coefficient numbers.
-Int linear(const Face& f, int k0, int k1, int k2, const Int& x, const Int& y) {
+Int linear(const ActiveFace& f, int k0, int k1, int k2, const Int& x, const Int& y) {
   return coefficient(f, k0) * x + coefficient(f, k1) * y + coefficient(f, k2);
 }
 
-Depth depth_at(const Face& f, const Int& x, const Int& y) {
+Depth depth_at(const ActiveFace& f, const Int& x, const Int& y) {
   Depth z;
   if (f.kind == FaceKind::plane) {
     z.p = -linear(f, 0, 1, 3, x, y);
@@ -75,7 +75,7 @@ struct RootForm {
 };
 
 // d * (homogeneous page-frame gradient component j) at the face point.
-RootForm gradient(const Face& f, int j, const Int& x, const Int& y, const Depth& z) {
+RootForm gradient(const ActiveFace& f, int j, const Int& x, const Int& y, const Depth& z) {
   static constexpr std::uint8_t row[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
   const Int slope = coefficient(f, row[j][2]);
   return {linear(f, row[j][0], row[j][1], row[j][3], x, y) * z.d + slope * z.p, slope * Int(z.s)};
@@ -83,7 +83,7 @@ RootForm gradient(const Face& f, int j, const Int& x, const Int& y, const Depth&
 
 }  // namespace
 
-int compare_depth(const Face& f, const Face& g, std::int32_t x, std::int32_t y) {
+int compare_depth(const ActiveFace& f, const ActiveFace& g, std::int32_t x, std::int32_t y) {
   const Depth zf = depth_at(f, local(x, f.origin_x), local(y, f.origin_y));
   const Depth zg = depth_at(g, local(x, g.origin_x), local(y, g.origin_y));
   const Int shift = Int(f.origin_z) - Int(g.origin_z);
@@ -91,7 +91,7 @@ int compare_depth(const Face& f, const Face& g, std::int32_t x, std::int32_t y) 
                               zf.d * Int(-zg.s), zg.q);
 }
 
-bool reaches_level(const Face& face, const Lighting& lighting, std::int32_t levels, std::int32_t k,
+bool reaches_level(const ActiveFace& face, const Lighting& lighting, std::int32_t levels, std::int32_t k,
                    std::int32_t x, std::int32_t y) {
   // threshold * |l| |N| <= (levels - 1) parallel s (l . N)
   const std::int64_t threshold =
@@ -132,7 +132,7 @@ bool reaches_level(const Face& face, const Lighting& lighting, std::int32_t leve
   return sign_of_radical(p, half_r + half_r, z.q) >= 0;
 }
 
-bool is_absent(const Face& face, std::int32_t x, std::int32_t y) {
+bool is_absent(const ActiveFace& face, std::int32_t x, std::int32_t y) {
   if (face.kind != FaceKind::rational) return false;
   return linear(face, 5, 4, 8, local(x, face.origin_x), local(y, face.origin_y)).is_zero();
 }

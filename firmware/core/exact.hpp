@@ -16,13 +16,13 @@ namespace halfspace {
 inline constexpr int exact_bits = 768;
 
 // sign(z_f - z_g) at page dot (x, y), where both faces are.
-[[nodiscard]] int compare_depth(const Face& f, const Face& g, std::int32_t x, std::int32_t y);
+[[nodiscard]] int compare_depth(const ActiveFace& f, const ActiveFace& g, std::int32_t x, std::int32_t y);
 
 // True when the face reaches level k, 0 <= k < levels, at page dot (x, y): (levels - 1) * intensity >= k.
-[[nodiscard]] bool reaches_level(const Face& face, const Lighting& lighting, std::int32_t levels,
+[[nodiscard]] bool reaches_level(const ActiveFace& face, const Lighting& lighting, std::int32_t levels,
                                  std::int32_t k, std::int32_t x, std::int32_t y);
 
 // A rational face has no point over the dots where b = 0.
-[[nodiscard]] bool is_absent(const Face& face, std::int32_t x, std::int32_t y);
+[[nodiscard]] bool is_absent(const ActiveFace& face, std::int32_t x, std::int32_t y);
 
 }  // namespace halfspace

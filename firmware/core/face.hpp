@@ -18,7 +18,7 @@ namespace halfspace {
 
 enum class FaceKind : std::uint8_t { plane, root, rational };
 
-struct Face {
+struct ActiveFace {
   std::array<Wide<128>, 10> c;
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
@@ -30,7 +30,7 @@ struct Face {
 };
 
 // Reads what follows the slot number in a face record.
-inline void read_face(JobReader& in, Record type, Face& face) {
+inline void read_face(JobReader& in, Record type, ActiveFace& face) {
   face.order = in.unsigned_number();
   face.origin_x = in.number_in(-(1 << 24), 1 << 24);
   face.origin_y = in.number_in(-(1 << 24), 1 << 24);

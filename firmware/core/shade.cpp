@@ -41,7 +41,7 @@ struct LineDepth {
   int s = 0;
 };
 
-LineDepth line_depth(const Face& f, const Int& x, const Int& y) {
+LineDepth line_depth(const ActiveFace& f, const Int& x, const Int& y) {
   const auto c = [&f](int i) { return Int(f.c[i]); };
   const auto twice = [](const Int& a) { return a + a; };
   const Int b1 = c(5);
@@ -65,7 +65,7 @@ LineDepth line_depth(const Face& f, const Int& x, const Int& y) {
   return z;
 }
 
-Slice make_slice(const Face& f, const Lighting& lighting, std::int32_t y, std::int32_t x0) {
+Slice make_slice(const ActiveFace& f, const Lighting& lighting, std::int32_t y, std::int32_t x0) {
   const Int lx = static_cast<std::int64_t>(x0) - f.origin_x;
   const Int ly = static_cast<std::int64_t>(y) - f.origin_y;
   const LineDepth z = line_depth(f, lx, ly);
@@ -130,7 +130,7 @@ Component make_component(const Quadratic& u, const Int& v, int shift, int h, std
   return c;
 }
 
-Registers make_registers(const Face& face, const Slice& slice, const Lighting& lighting,
+Registers make_registers(const ActiveFace& face, const Slice& slice, const Lighting& lighting,
                          const LevelTable& table, std::int64_t n) {
   Registers r;
   const int d_bits = slice.discriminant.bits(n);
@@ -244,7 +244,7 @@ constexpr int yes = 1, no = 0, unsure = -1;
 
 class SpanShader {
  public:
-  SpanShader(const Face& face, const Lighting& lighting, const LevelTable& table, std::int32_t y,
+  SpanShader(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, std::int32_t y,
              std::int32_t x0, std::int32_t x1, Counters& counters)
       : face_(face),
         lighting_(lighting),
@@ -375,7 +375,7 @@ class SpanShader {
     return level;
   }
 
-  const Face& face_;
+  const ActiveFace& face_;
   const Lighting& lighting_;
   const LevelTable& table_;
   std::int32_t y_, x0_, x1_;
@@ -422,7 +422,7 @@ LevelTable make_levels(const Lighting& lighting, std::int32_t levels, std::span<
   return table;
 }
 
-void shade_span(const Face& face, const Lighting& lighting, const LevelTable& table, Shader shader,
+void shade_span(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, Shader shader,
                 std::int32_t y, std::int32_t x0, std::int32_t x1, RowPainter& painter, Counters& counters) {
   SpanShader(face, lighting, table, y, x0, x1, counters).run(shader, painter);
 }

@@ -38,7 +38,7 @@ struct LevelTable {
                                      std::span<std::uint32_t> squares);
 
 // Shades dots x0 .. x1 of scan line y, where `face` (root or rational) is visible.
-void shade_span(const Face& face, const Lighting& lighting, const LevelTable& table, Shader shader,
+void shade_span(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, Shader shader,
                 std::int32_t y, std::int32_t x0, std::int32_t x1, RowPainter& painter, Counters& counters);
 
 }  // namespace halfspace

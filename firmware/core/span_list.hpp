@@ -24,7 +24,7 @@ struct Span {
 
 class SpanList {
  public:
-  SpanList(std::span<Span> pool, std::span<const Face> faces, Counters& counters)
+  SpanList(std::span<Span> pool, std::span<const ActiveFace> faces, Counters& counters)
       : pool_(pool), faces_(faces), counters_(counters) {}
 
   void clear(std::int32_t y);
@@ -42,7 +42,7 @@ class SpanList {
   bool merge(std::uint16_t face, const Span& old, std::int32_t x0, std::int32_t x1);
 
   std::span<Span> pool_;
-  std::span<const Face> faces_;
+  std::span<const ActiveFace> faces_;
   Counters& counters_;
   std::int32_t y_ = 0;
   std::int32_t used_ = 0;

@@ -1,0 +1,361 @@
+#include "host/job/job_writer.hpp"
+
+#include <algorithm>
+#include <queue>
+#include <string>
+
+#include "host/job/job_bytes.hpp"
+#include "host/job/limits.hpp"
+#include "host/job/plane_level.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr std::int32_t largest_pool = 65534;
+
+// Something that enters on a scan line and holds a slot until its last one.
+struct Lifetime {
+  std::int32_t y0 = 0, y1 = -1;
+  std::uint32_t item = 0;
+  std::uint32_t slot = 0;
+};
+
+// Assigns slots in order of entry, the lowest free one first; returns how many are needed.
+std::int32_t assign_slots(std::vector<Lifetime>& lives) {
+  std::stable_sort(lives.begin(), lives.end(),
+                   [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
+  using Busy = std::pair<std::int32_t, std::uint32_t>;  // last line, slot
+  std::priority_queue<Busy, std::vector<Busy>, std::greater<>> busy;
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
+  std::uint32_t count = 0;
+  for (Lifetime& life : lives) {
+    while (!busy.empty() && busy.top().first < life.y0) {
+      free.push(busy.top().second);
+      busy.pop();
+    }
+    if (free.empty()) {
+      life.slot = count++;
+    } else {
+      life.slot = free.top();
+      free.pop();
+    }
+    busy.emplace(life.y1, life.slot);
+  }
+  return static_cast<std::int32_t>(count);
+}
+
+class JobWriter {
+ public:
+  JobWriter(const IntegerScene& scene, const ResolvedScene& resolved, const JobOptions& options)
+      : scene_(scene), resolved_(resolved), options_(options) {}
+
+  JobResult run() {
+    check_faces();
+    collect();
+    const std::int32_t most =
+        std::max({result_.header.needs.faces, result_.header.needs.arcs, result_.header.needs.cells});
+    if (most > largest_pool) {
+      limit({}, "a scan line crosses " + std::to_string(most) + " faces, arcs or cells; the limit is " +
+                    std::to_string(largest_pool) + ": draw the scene smaller or in parts");
+    }
+    if (!result_.diagnostics.empty()) return std::move(result_);
+    make_header();
+    result_.header.needs.spans = largest_pool;
+    result_.bytes = bytes();
+    if (options_.measure) {
+      result_.header.needs.spans = measure();
+      result_.bytes = bytes();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  enum class Kind : std::uint8_t { face, arc, cell, span };
+  struct Event {
+    std::int32_t y;
+    Kind kind;
+    std::uint32_t item;
+    std::uint32_t slot;
+  };
+
+  void limit(const SourcePosition& position, const std::string& text) {
+    result_.diagnostics.push_back({Severity::limit, position, text});
+  }
+
+  void check_faces();
+  void collect();
+  void make_header();
+  std::int32_t measure() const;
+  std::vector<std::uint8_t> bytes() const;
+  void write_header(JobBytes& out) const;
+  void write_face(JobBytes& out, const Event& event, std::uint64_t delta) const;
+  void write_arc(JobBytes& out, const Event& event) const;
+  std::int64_t start_x(const Arc& arc) const;
+
+  const IntegerScene& scene_;
+  const ResolvedScene& resolved_;
+  const JobOptions& options_;
+  JobResult result_;
+  std::vector<Event> events_;
+  std::vector<std::uint32_t> face_slot_, arc_slot_;
+  std::vector<ArcKind> kinds_;
+};
+
+// Every face's forms, and any two depths, must fit the core's widths.
+void JobWriter::check_faces() {
+  FaceBits largest;
+  for (const Face& face : resolved_.faces) {
+    const IntegerBody& body = scene_.bodies[face.body];
+    const IntegerHalfSpace& half_space = body.half_spaces[face.half_space];
+    const FaceBits bits = face_bits(scene_, body, half_space);
+    const auto too_wide = [](const mpz_class& c) { return bits_of(c) > 127; };
+    std::optional<std::string> fault = check_face(scene_, bits);
+    if (std::any_of(half_space.c.begin(), half_space.c.end(), too_wide))
+      fault = "its coefficients need more than 127 bits";
+    if (fault) {
+      limit(half_space.position, "'" + half_space.name + "' in body '" + body.name +
+                                     "' is too large or too far: " + *fault +
+                                     "; move it nearer to the page or draw it smaller");
+    }
+    largest.p = std::max(largest.p, bits.p);
+    largest.q = std::max(largest.q, bits.q);
+    largest.d = std::max(largest.d, bits.d);
+  }
+  if (const auto fault = check_depths(scene_, largest)) {
+    limit({}, "the scene's bodies differ too much in size or distance: " + *fault);
+  }
+  kinds_.reserve(resolved_.arcs.size());
+  for (const Arc& arc : resolved_.arcs) {
+    const std::optional<ArcKind> kind = arc_kind(scene_, arc);
+    if (!kind) {
+      const IntegerBody& body = scene_.bodies[arc.body];
+      limit(body.position, "an edge of body '" + body.name +
+                               "' needs more than 255 bits; draw it smaller or nearer to the page");
+    }
+    kinds_.push_back(kind.value_or(ArcKind::line64));
+  }
+}
+
+// Lifetimes become slots, and all records one list in order of entry.
+void JobWriter::collect() {
+  std::vector<Lifetime> faces(resolved_.faces.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) faces[i] = {INT32_MAX, -1, i, 0};
+  const auto extend = [&faces](std::uint32_t face, std::int32_t y0, std::int32_t y1) {
+    faces[face].y0 = std::min(faces[face].y0, y0);
+    faces[face].y1 = std::max(faces[face].y1, y1);
+  };
+  std::vector<Lifetime> arcs, cells;
+  for (std::uint32_t i = 0; i < resolved_.arcs.size(); ++i) {
+    arcs.push_back({resolved_.arcs[i].y0, resolved_.arcs[i].y1, i, 0});
+  }
+  for (std::uint32_t i = 0; i < resolved_.cells.size(); ++i) {
+    const Cell& cell = resolved_.cells[i];
+    extend(cell.face, cell.y0, cell.y1);
+    cells.push_back({cell.y0, cell.y1, i, 0});
+  }
+  const auto cell_count = static_cast<std::uint32_t>(cells.size());
+  for (std::uint32_t i = 0; i < resolved_.spans.size(); ++i) {
+    const LineSpan& span = resolved_.spans[i];
+    extend(span.face, span.y, span.y);
+    cells.push_back({span.y, span.y, cell_count + i, 0});
+  }
+  std::erase_if(faces, [](const Lifetime& life) { return life.y1 < life.y0; });
+  JobNeeds& needs = result_.header.needs;
+  needs.faces = assign_slots(faces);
+  needs.arcs = assign_slots(arcs);
+  needs.cells = assign_slots(cells);
+  face_slot_.resize(resolved_.faces.size());
+  arc_slot_.resize(resolved_.arcs.size());
+  for (const Lifetime& l : faces) {
+    face_slot_[l.item] = l.slot;
+    events_.push_back({l.y0, Kind::face, l.item, l.slot});
+  }
+  for (const Lifetime& l : arcs) {
+    arc_slot_[l.item] = l.slot;
+    events_.push_back({l.y0, Kind::arc, l.item, l.slot});
+    needs.arc_bytes = std::max(needs.arc_bytes, all_arc_modules[static_cast<int>(kinds_[l.item])]->bytes);
+  }
+  for (const Lifetime& l : cells) {
+    const bool span = l.item >= cell_count;
+    events_.push_back({l.y0, span ? Kind::span : Kind::cell, span ? l.item - cell_count : l.item, l.slot});
+  }
+  std::stable_sort(events_.begin(), events_.end(),
+                   [](const Event& a, const Event& b) { return a.y != b.y ? a.y < b.y : a.kind < b.kind; });
+}
+
+void JobWriter::make_header() {
+  JobHeader& h = result_.header;
+  h.page = options_.page;
+  h.screen = options_.screen;
+  h.x0 = scene_.scissor.x0;
+  h.y0 = scene_.scissor.y0;
+  h.x1 = scene_.scissor.x1;
+  h.y1 = scene_.scissor.y1;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      h.lighting.matrix[i][j] = static_cast<std::int32_t>(scene_.lighting.normal_matrix[i][j]);
+    }
+    h.lighting.light[i] = static_cast<std::int32_t>(scene_.lighting.light[i]);
+  }
+  h.lighting.ambient = static_cast<std::int32_t>(scene_.lighting.ambient);
+  h.lighting.parallel = static_cast<std::int32_t>(scene_.lighting.parallel);
+  h.lighting.unit = static_cast<std::int32_t>(scene_.lighting.unit);
+}
+
+class NoSink final : public BandSink {
+ public:
+  bool put_band(const Band&) override { return true; }
+};
+
+// The sweep in advance: the spans of the fullest scan line.
+std::int32_t JobWriter::measure() const {
+  const std::vector<std::uint8_t> job = bytes();
+  MemorySource source(job);
+  NoSink sink;
+  std::vector<std::uint64_t> memory(memory_needed(result_.header, 1) / 8 + 1);
+  const DrawResult drawn =
+      draw(source, sink, std::as_writable_bytes(std::span(memory)),
+           {.shader = Shader::isqrt, .band_rows = 1, .measure = true}, ArcModules(all_arc_modules));
+  return drawn.status == DrawStatus::ok ? drawn.peak_spans : largest_pool;
+}
+
+void JobWriter::write_header(JobBytes& out) const {
+  const JobHeader& h = result_.header;
+  for (const std::uint8_t b : job_magic) out.byte(b);
+  out.number(h.page.width);
+  out.number(h.page.height);
+  out.number(h.page.format == DotFormat::bilevel ? 0 : 1);
+  out.number(h.page.levels);
+  out.number(h.page.background);
+  out.number(static_cast<int>(h.screen));
+  for (const std::int32_t edge : {h.x0, h.y0, h.x1, h.y1}) out.number(edge);
+  for (const auto& row : h.lighting.matrix) {
+    for (const std::int32_t m : row) out.number(m);
+  }
+  for (const std::int32_t l : h.lighting.light) out.number(l);
+  for (const std::int32_t i : {h.lighting.unit, h.lighting.ambient, h.lighting.parallel}) out.number(i);
+  const JobNeeds& n = h.needs;
+  for (const std::int32_t need : {n.faces, n.arcs, n.cells, n.spans, n.arc_bytes}) out.number(need);
+}
+
+void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delta) const {
+  const Face& face = resolved_.faces[event.item];
+  const IntegerBody& body = scene_.bodies[face.body];
+  const IntegerHalfSpace& h = body.half_spaces[face.half_space];
+  const bool plane = h.kind == HalfSpaceKind::plane;
+  const bool root = !plane && h.c[2] != 0;
+  out.byte(static_cast<std::uint8_t>(plane  ? Record::plane_face
+                                     : root ? Record::root_face
+                                            : Record::rational_face));
+  out.number(static_cast<std::int64_t>(delta));
+  out.number(event.slot);
+  out.unsigned_number(event.item);  // faces are listed in tie order
+  for (const std::int64_t o : body.origin) out.number(o);
+  // The core wants the z or z^2 coefficient positive; turning all signs turns the gradient too.
+  const bool turn = h.c[2] < 0;
+  if (plane) {
+    out.byte(static_cast<std::uint8_t>(plane_level(scene_, body, h)));
+  } else {
+    const bool back = face.sheet == Sheet::back;
+    const bool against = h.complement != turn;
+    out.byte(static_cast<std::uint8_t>((back ? 1 : 0) | (against ? 2 : 0)));
+  }
+  for (int i = 0; i < (plane ? 4 : 10); ++i) out.wide(turn ? mpz_class(-h.c[i]) : h.c[i]);
+}
+
+// The dot at or left of which the arc crosses its first line, clamped to the scissor: where the core begins
+// to look.
+std::int64_t JobWriter::start_x(const Arc& arc) const {
+  const auto& origin = scene_.bodies[arc.body].origin;
+  const mpz_class y = static_cast<long>(arc.y0 - origin[1]);
+  const auto& q = arc.curve.q;
+  const mpz_class b = q[1] * y + q[3];
+  const mpz_class c = (q[2] * y + q[4]) * y + q[5];
+  mpz_class x;
+  if (arc.branch == Branch::single) {
+    x = b == 0 ? mpz_class(0) : mpz_class(-c / b);
+  } else {
+    const mpz_class root = sqrt(mpz_class(abs(b * b - 4 * q[0] * c)));
+    x = (arc.branch == Branch::left ? mpz_class(-b - root) : mpz_class(-b + root)) / (2 * q[0]);
+  }
+  x += mpz_class(static_cast<long>(origin[0]));
+  const mpz_class low = scene_.scissor.x0;
+  const mpz_class high = scene_.scissor.x1 + 1;
+  return (x < low ? low : x > high ? high : x).get_si();
+}
+
+void JobWriter::write_arc(JobBytes& out, const Event& event) const {
+  const Arc& arc = resolved_.arcs[event.item];
+  const ArcKind kind = kinds_[event.item];
+  out.number(event.slot);
+  out.number(static_cast<int>(kind));
+  out.number(static_cast<int>(arc.branch));
+  out.number(scene_.bodies[arc.body].origin[0]);
+  out.number(scene_.bodies[arc.body].origin[1]);
+  out.number(arc.y1);
+  out.number(start_x(arc));
+  const bool line = kind <= ArcKind::line256;
+  for (int i = line ? 3 : 0; i < 6; ++i) out.wide(arc.curve.q[i]);
+}
+
+std::vector<std::uint8_t> JobWriter::bytes() const {
+  JobBytes out;
+  write_header(out);
+  std::int32_t y = 0;
+  const auto arc_number = [this](std::uint32_t arc) {
+    return arc == no_arc ? std::int64_t{-1} : static_cast<std::int64_t>(arc_slot_[arc]);
+  };
+  for (const Event& event : events_) {
+    const auto delta = static_cast<std::uint64_t>(event.y - y);
+    y = event.y;
+    const auto start = [&](Record type) {
+      out.byte(static_cast<std::uint8_t>(type));
+      out.number(static_cast<std::int64_t>(delta));
+    };
+    switch (event.kind) {
+      case Kind::face:
+        write_face(out, event, delta);
+        break;
+      case Kind::arc:
+        start(Record::arc);
+        write_arc(out, event);
+        break;
+      case Kind::cell: {
+        const Cell& cell = resolved_.cells[event.item];
+        start(Record::cell);
+        out.number(event.slot);
+        out.number(face_slot_[cell.face]);
+        out.number(arc_number(cell.left));
+        out.number(arc_number(cell.right));
+        out.number(cell.y1);
+        break;
+      }
+      case Kind::span: {
+        const LineSpan& span = resolved_.spans[event.item];
+        start(Record::span);
+        out.number(event.slot);
+        out.number(face_slot_[span.face]);
+        out.number(span.x0);
+        out.number(span.x1);
+        break;
+      }
+    }
+  }
+  out.byte(static_cast<std::uint8_t>(Record::end));
+  return out.take();
+}
+
+}  // namespace
+
+std::size_t MemorySource::read(std::span<std::uint8_t> into) {
+  const std::size_t count = std::min(into.size(), bytes_.size());
+  std::copy_n(bytes_.begin(), count, into.begin());
+  bytes_ = bytes_.subspan(count);
+  return count;
+}
+
+JobResult write_job(const IntegerScene& scene, const ResolvedScene& resolved, const JobOptions& options) {
+  return JobWriter(scene, resolved, options).run();
+}
+
+}  // namespace halfspace

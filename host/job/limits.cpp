@@ -1,0 +1,109 @@
+#include "host/job/limits.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "firmware/core/exact.hpp"
+#include "host/job/job_bytes.hpp"
+
+namespace halfspace {
+namespace {
+
+int bits_of_int(std::int64_t value) { return bits_of(mpz_class(static_cast<long>(value))); }
+
+// The farthest local coordinate that a dot of the scissor, or one beside it, can have.
+struct Extent {
+  mpz_class x, y;
+};
+
+Extent extent_of(const Scissor& s, const std::array<std::int64_t, 3>& origin) {
+  const auto far = [](std::int64_t low, std::int64_t high, std::int64_t o) {
+    return mpz_class(static_cast<long>(std::max(std::abs(low - 1 - o), std::abs(high + 2 - o))));
+  };
+  return {far(s.x0, s.x1, origin[0]), far(s.y0, s.y1, origin[1])};
+}
+
+int largest_origin_bits(const IntegerScene& scene) {
+  int bits = 0;
+  for (const IntegerBody& body : scene.bodies) bits = std::max(bits, bits_of_int(body.origin[2]));
+  return bits;
+}
+
+}  // namespace
+
+FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
+  const Extent e = extent_of(scene.scissor, body.origin);
+  std::array<mpz_class, 10> c;
+  for (int i = 0; i < 10; ++i) c[i] = abs(half_space.c[i]);
+  FaceBits bits;
+  mpz_class gradient;
+  if (half_space.kind == HalfSpaceKind::plane) {
+    bits.p = bits_of(c[0] * e.x + c[1] * e.y + c[3]);
+    bits.d = bits_of(c[2]);
+    return bits;
+  }
+  const mpz_class b = c[5] * e.x + c[4] * e.y + c[8];
+  const mpz_class rest =
+      c[0] * e.x * e.x + 2 * c[3] * e.x * e.y + c[1] * e.y * e.y + 2 * c[6] * e.x + 2 * c[7] * e.y + c[9];
+  const bool root = c[2] != 0;
+  const mpz_class p = root ? b : rest;
+  const mpz_class d = root ? c[2] : mpz_class(2 * b);
+  const mpz_class q = root ? mpz_class(b * b + c[2] * rest) : mpz_class(0);
+  bits.p = bits_of(p);
+  bits.q = bits_of(q);
+  bits.d = bits_of(d);
+  static constexpr int row[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
+  mpz_class n;
+  for (int i = 0; i < 3; ++i) {
+    mpz_class sum;
+    for (int j = 0; j < 4; ++j) {
+      const mpz_class g = (c[row[j][0]] * e.x + c[row[j][1]] * e.y + c[row[j][3]]) * d + c[row[j][2]] * p;
+      mpz_class m = std::abs(static_cast<long>(scene.lighting.normal_matrix[i][j]));
+      if (j < 3) {
+        m += std::abs(static_cast<long>(scene.lighting.normal_matrix[i][3])) *
+             mpz_class(std::abs(static_cast<long>(body.origin[j])));
+      }
+      sum += m * g;
+    }
+    n = std::max(n, sum);
+  }
+  bits.normal = bits_of(n);
+  return bits;
+}
+
+std::optional<std::string> check_face(const IntegerScene& scene, const FaceBits& f) {
+  // shade.cpp: 256-bit polynomials, the normal with a margin for their partial sums.
+  if (f.q + 4 > 255 || f.normal + 20 > 255 || f.p > 250) return "its shading needs more than 256 bits";
+  // exact.cpp reaches_level: P = scale^2 (l . N)^2 + t^2 l2 |N|^2, then P^2.
+  const int light = 18 + f.normal + 2;
+  const int scale = bits_of_int(scene.levels - 1) + bits_of_int(scene.lighting.parallel);
+  const int threshold = bits_of_int(scene.levels) + bits_of_int(scene.lighting.unit);
+  const int p = 3 + std::max(2 * scale + 2 * light, 2 * threshold + 2 * 17 + 2 * f.normal + 3);
+  if (2 * p + 2 > exact_bits - 1) return "its levels need more than " + std::to_string(exact_bits) + " bits";
+  return std::nullopt;
+}
+
+std::optional<std::string> check_depths(const IntegerScene& scene, const FaceBits& f) {
+  const int a = 2 + std::max(largest_origin_bits(scene) + 1 + 2 * f.d, f.p + f.d);
+  const int p = 2 + std::max(2 * a, 2 * f.d + f.q + 1);
+  if (std::max(2 * p, 2 * (2 * f.d + 1) + 2 * f.q) + 2 > exact_bits - 1) {
+    return "its depths need more than " + std::to_string(exact_bits) + " bits";
+  }
+  return std::nullopt;
+}
+
+std::optional<ArcKind> arc_kind(const IntegerScene& scene, const Arc& arc) {
+  const Extent e = extent_of(scene.scissor, scene.bodies[arc.body].origin);
+  const auto& q = arc.curve.q;
+  const mpz_class value = abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y +
+                          abs(q[3]) * e.x + abs(q[4]) * e.y + abs(q[5]);
+  const bool line = q[0] == 0 && q[1] == 0 && q[2] == 0;
+  // A difference is at most twice the value, the slope test and a step beyond twice that again.
+  const int bits = bits_of(value) + 4;
+  if (bits <= 63) return line ? ArcKind::line64 : ArcKind::conic64;
+  if (bits <= 127) return line ? ArcKind::line128 : ArcKind::conic128;
+  if (bits <= 255) return line ? ArcKind::line256 : ArcKind::conic256;
+  return std::nullopt;
+}
+
+}  // namespace halfspace
