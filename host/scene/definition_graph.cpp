@@ -70,8 +70,8 @@ class CycleSearch {
     heights_[group] = height;
     if (height <= deepest_nesting || too_deep_) return;
     too_deep_ = true;
-    log_.limit(use.position, "definitions are nested more than " + std::to_string(deepest_nesting) +
-                                 " deep below " + quote(use.definition) + "; draw some of them side by side");
+    log_.limit(use.position, "definitions are nested more than " + std::to_string(deepest_nesting) + " deep below " +
+                                 quote(use.definition) + "; draw some of them side by side");
   }
 
   void report_cycle(const Edge& back) {
@@ -103,8 +103,7 @@ using DefinitionIndex = std::unordered_map<std::string_view, std::size_t>;
 
 DefinitionIndex index_definitions(const Scene& scene) {
   DefinitionIndex index;
-  for (std::size_t i = 0; i < scene.definitions.size(); ++i)
-    index.try_emplace(scene.definitions[i].id, i + 1);
+  for (std::size_t i = 0; i < scene.definitions.size(); ++i) index.try_emplace(scene.definitions[i].id, i + 1);
   return index;
 }
 

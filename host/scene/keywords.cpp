@@ -45,9 +45,7 @@ const ViewKeyRule* find_view_key(std::string_view word) {
   return nullptr;
 }
 
-bool is_reserved(std::string_view word) {
-  return find_statement(word).has_value() || find_view_key(word) != nullptr;
-}
+bool is_reserved(std::string_view word) { return find_statement(word).has_value() || find_view_key(word) != nullptr; }
 
 std::vector<std::string_view> statement_words() {
   std::vector<std::string_view> words;

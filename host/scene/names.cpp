@@ -9,13 +9,12 @@ std::string describe(const SourcePosition& position) {
   return position.file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
 }
 
-void check_body(const BodyStatement& body, const NameSpace& half_spaces, const std::string& place,
-                DiagnosticLog& log) {
+void check_body(const BodyStatement& body, const NameSpace& half_spaces, const std::string& place, DiagnosticLog& log) {
   for (const HalfSpaceReference& reference : body.half_spaces) {
     if (half_spaces.contains(reference.id)) continue;
     const std::string guess = did_you_mean(reference.id, half_spaces.all());
     log.error(reference.position, "there is no plane or quadric " + quote(reference.id) + " " + place +
-                                      (guess.empty() ? "; a body uses those beside it" : guess));
+                                      (guess.empty() ? "; define it there" : guess));
     if (log.full()) return;
   }
 }
@@ -48,8 +47,8 @@ void NameSpace::declare(const std::string& id, const SourcePosition& position, s
                         DiagnosticLog& log) {
   const auto [first, is_new] = declared_.try_emplace(id, position);
   if (is_new) return;
-  log.error(position, "a " + std::string(kind) + " " + quote(id) + " is already defined at " +
-                          describe(first->second) + "; choose another id");
+  log.error(position, "a " + std::string(kind) + " " + quote(id) + " is already defined at " + describe(first->second) +
+                          "; choose another id");
 }
 
 std::vector<std::string_view> NameSpace::all() const {
@@ -70,8 +69,7 @@ std::string NameSpace::invent(char prefix) {
 
 void check_half_space_references(SceneDraft& draft, DiagnosticLog& log) {
   for (std::size_t i = 0; i < draft.group_names.size(); ++i) {
-    const std::string place =
-        i == 0 ? "outside the definitions" : "in definition " + quote(draft.group(i).id);
+    const std::string place = i == 0 ? "outside the definitions" : "in definition " + quote(draft.group(i).id);
     for (const Placement& placement : draft.group(i).placements) {
       if (log.full()) return;
       if (const auto* body = std::get_if<BodyStatement>(&placement)) {
@@ -82,8 +80,7 @@ void check_half_space_references(SceneDraft& draft, DiagnosticLog& log) {
 }
 
 void invent_missing_ids(SceneDraft& draft, DiagnosticLog& log) {
-  for (Group& definition : draft.scene.definitions)
-    name(definition, draft.definitions, 'd', "definition", log);
+  for (Group& definition : draft.scene.definitions) name(definition, draft.definitions, 'd', "definition", log);
   for (std::size_t i = 0; i < draft.group_names.size(); ++i) {
     name_group(draft.group(i), draft.group_names[i], log);
   }

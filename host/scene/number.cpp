@@ -24,7 +24,7 @@ bool is_hexadecimal(std::string_view text) {
 
 // std::from_chars also reads "nan" and "inf".
 bool starts_as_decimal(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
   return !text.empty() && (text[0] == '.' || (text[0] >= '0' && text[0] <= '9'));
 }
 
@@ -37,14 +37,13 @@ std::string not_a_decimal(std::string_view text) {
 
 std::variant<Number, std::string> read_number(std::string_view text) {
   const std::string_view written = text;
-  if (text.starts_with('+')) text.remove_prefix(1);
   if (!starts_as_decimal(text)) return not_a_decimal(written);
+  if (text.starts_with('+')) text.remove_prefix(1);
   if (text.size() > longest_text) return quote(written) + " is too long; a number has at most 400 characters";
 
   double value = 0;
   const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status == std::errc::invalid_argument || rest != text.data() + text.size())
-    return not_a_decimal(written);
+  if (status == std::errc::invalid_argument || rest != text.data() + text.size()) return not_a_decimal(written);
   if (all_digits_zero(text)) return Number{"0", 0.0};
   const double magnitude = std::abs(value);
   if (status == std::errc::result_out_of_range || magnitude < smallest || magnitude > largest) {

@@ -19,8 +19,8 @@ void read_files(std::span<const SourceText> files, SceneDraft& draft, Diagnostic
     if (log.full()) return;
     if (file.text.size() > largest_file) {
       draft.complete = false;
-      log.limit({file.name, 0, 0}, "the file has " + std::to_string(file.text.size()) +
-                                       " bytes; split it into files of at most 64 MB");
+      log.limit({file.name, 0, 0},
+                "the file has " + std::to_string(file.text.size()) + " bytes; split it into files of at most 64 MB");
     } else {
       read_statements(file.name, file.text, draft, log);
     }

@@ -37,8 +37,7 @@ class StatementReader {
       }
     }
     if (tokens_.truncated()) draft_.complete = false;
-    if (group_ != 0 && !tokens_.truncated() && !log_.full())
-      report_open_definition(" at the end of the file");
+    if (group_ != 0 && !tokens_.truncated() && !log_.full()) report_open_definition(" at the end of the file");
   }
 
  private:
@@ -89,8 +88,7 @@ class StatementReader {
   }
 
   template <std::size_t count>
-  bool read_coefficients(std::string_view owner, std::string_view letters,
-                         std::array<Number, count>& coefficients) {
+  bool read_coefficients(std::string_view owner, std::string_view letters, std::array<Number, count>& coefficients) {
     const char closing = tokens_.take_opening();
     std::vector<Number> numbers;
     if (closing == 0 || !tokens_.take_numbers(count, owner, letters, numbers)) return false;
@@ -194,8 +192,8 @@ class StatementReader {
   }
 
   void report_open_definition(std::string_view where) {
-    log_.error(group().position, "this definition is still open" + std::string(where) +
-                                     "; write 'enddef;' after its last statement");
+    log_.error(group().position,
+               "this definition is still open" + std::string(where) + "; write 'enddef;' after its last statement");
   }
 
   // "(definition transforms)"
@@ -238,8 +236,7 @@ class StatementReader {
     const auto [rest, status] = std::from_chars(text.data(), end, count);
     const bool is_whole = rest == end && status != std::errc::invalid_argument;
     if (is_whole && (status == std::errc::result_out_of_range || count > most_copies)) {
-      log_.limit(position,
-                 quote(text) + " copies are too many; an array has at most " + std::to_string(most_copies));
+      log_.limit(position, quote(text) + " copies are too many; an array has at most " + std::to_string(most_copies));
     } else if (!is_whole || count == 0) {
       log_.error(position, quote(text) + " is not a number of copies; write a whole number from 1 to " +
                                std::to_string(most_copies));
@@ -254,8 +251,7 @@ class StatementReader {
   // Such a statement is still read: its own errors are of interest too.
   void refuse_in_definition(std::string_view kind) {
     if (group_ == 0) return;
-    log_.error(position_, "a " + std::string(kind) +
-                              " cannot stand in a definition; move it behind the 'enddef;' of " +
+    log_.error(position_, "a " + std::string(kind) + " cannot stand in a definition; move it behind the 'enddef;' of " +
                               name_of_open_definition());
   }
 

@@ -45,17 +45,13 @@ TokenStream::TokenStream(const std::string& file, std::string_view text, Diagnos
   advance();
 }
 
-bool TokenStream::at_symbol(char symbol) const {
-  return at(TokenKind::symbol) && current_.text.front() == symbol;
-}
+bool TokenStream::at_symbol(char symbol) const { return at(TokenKind::symbol) && current_.text.front() == symbol; }
 
 bool TokenStream::at_number() const {
   return at(TokenKind::number) || (at(TokenKind::word) && is_not_finite(current_.text));
 }
 
-bool TokenStream::at_statement_word() const {
-  return at(TokenKind::word) && find_statement(current_.text).has_value();
-}
+bool TokenStream::at_statement_word() const { return at(TokenKind::word) && find_statement(current_.text).has_value(); }
 
 void TokenStream::advance() {
   previous_ = current_;
@@ -134,8 +130,7 @@ void TokenStream::end_statement() {
     // The place to mend is behind the last token, not where the next statement begins.
     if (truncated_ && at(TokenKind::end)) return;
     const int behind = previous_.column + static_cast<int>(previous_.text.size());
-    log_.error({file_, previous_.line, behind},
-               "the statement has no ';'; write one after " + quote(previous_.text));
+    log_.error({file_, previous_.line, behind}, "the statement has no ';'; write one after " + quote(previous_.text));
     if (!at_statement_word()) skip_statement();
   } else {
     fail_expected("';'");

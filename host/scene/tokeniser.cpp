@@ -79,8 +79,7 @@ Tokeniser::Tokeniser(std::string_view text)
     : at_(without_byte_order_mark(text).data()), end_(text.data() + text.size()) {}
 
 Token Tokeniser::next() {
-  pegtl::memory_input<> in(at_, end_, "", 0, static_cast<std::size_t>(line_),
-                           static_cast<std::size_t>(column_));
+  pegtl::memory_input<> in(at_, end_, "", 0, static_cast<std::size_t>(line_), static_cast<std::size_t>(column_));
   pegtl::parse<gap>(in);
   Token made;
   made.line = static_cast<int>(in.line());

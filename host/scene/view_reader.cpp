@@ -64,8 +64,7 @@ class ViewReader {
   static std::string options_of(const ViewKeyRule& rule) {
     if (rule.options.empty()) return "no option after " + quote(rule.word);
     std::string text;
-    for (const char letter : rule.options)
-      text += (text.empty() ? "'=" : " or '=") + std::string(1, letter) + "'";
+    for (const char letter : rule.options) text += (text.empty() ? "'=" : " or '=") + std::string(1, letter) + "'";
     return text + " after " + quote(rule.word);
   }
 
@@ -96,8 +95,8 @@ class ViewReader {
 
   void check_size(const ViewKeyRule& rule, const ViewParameter& parameter) {
     if (parameter.values[0].value > 0) return;
-    log_.error(parameter.position, quote(rule.word) + " is " + parameter.values[0].text +
-                                       "; half the size of a window must be above 0");
+    log_.error(parameter.position,
+               quote(rule.word) + " is " + parameter.values[0].text + "; half the size of a window must be above 0");
   }
 
   void check_planes(const ViewParameter& parameter) {
