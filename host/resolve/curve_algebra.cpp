@@ -1,0 +1,107 @@
+#include "host/resolve/curve_algebra.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace halfspace {
+namespace {
+
+void append_once(Curve p, std::vector<Curve>& factors) {
+  make_canonical(p);
+  const auto same = [&p](const Curve& q) { return same_curve(p, q); };
+  if (std::none_of(factors.begin(), factors.end(), same)) factors.push_back(std::move(p));
+}
+
+Curve line(const mpz_class& x, const mpz_class& y, const mpz_class& one) { return {{0, 0, 0, x, y, one}}; }
+
+// s y + t with (s y + t)^2 = p2 y^2 + p1 y + p0, when it is a rational (hence an integer) polynomial.
+struct LinearRoot {
+  mpz_class s, t;
+};
+std::optional<LinearRoot> square_root(const mpz_class& p2, const mpz_class& p1, const mpz_class& p0) {
+  if (sgn(p2) < 0 || sgn(p0) < 0 || p1 * p1 != 4 * p2 * p0) return std::nullopt;
+  if (mpz_perfect_square_p(p2.get_mpz_t()) == 0 || mpz_perfect_square_p(p0.get_mpz_t()) == 0) return std::nullopt;
+  LinearRoot root{sqrt(p2), sqrt(p0)};
+  if (sgn(p1) < 0) root.t = -root.t;
+  return root;
+}
+
+// q0 != 0: reducible exactly when the discriminant in x is the square of a rational polynomial in y.
+void append_factors_of_second_order_in_x(const Curve& p, std::vector<Curve>& factors) {
+  const auto& q = p.q;
+  const auto root =
+      square_root(q[1] * q[1] - 4 * q[0] * q[2], 2 * q[1] * q[3] - 4 * q[0] * q[4], q[3] * q[3] - 4 * q[0] * q[5]);
+  if (!root) return append_once(p, factors);
+  append_once(line(2 * q[0], q[1] + root->s, q[3] + root->t), factors);
+  append_once(line(2 * q[0], q[1] - root->s, q[3] - root->t), factors);
+}
+
+// q0 = 0, q1 != 0: reducible exactly when q1 y + q3 divides the part without x.
+void append_factors_of_mixed(const Curve& p, std::vector<Curve>& factors) {
+  const auto& q = p.q;
+  if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) return append_once(p, factors);
+  append_once(line(0, q[1], q[3]), factors);
+  append_once(line(q[1] * q[1], q[1] * q[2], q[4] * q[1] - q[2] * q[3]), factors);
+}
+
+}  // namespace
+
+Curve constant_curve(const mpz_class& value) { return {{0, 0, 0, 0, 0, value}}; }
+
+Curve operator+(Curve p, const Curve& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) p.q[i] += q.q[i];
+  return p;
+}
+
+Curve operator-(Curve p, const Curve& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) p.q[i] -= q.q[i];
+  return p;
+}
+
+Curve operator*(const mpz_class& factor, Curve p) {
+  for (mpz_class& coefficient : p.q) coefficient *= factor;
+  return p;
+}
+
+Curve product_of_lines(const Curve& l, const Curve& m) {
+  const auto& a = l.q;
+  const auto& b = m.q;
+  return {{a[3] * b[3], a[3] * b[4] + a[4] * b[3], a[4] * b[4], a[3] * b[5] + a[5] * b[3], a[4] * b[5] + a[5] * b[4],
+           a[5] * b[5]}};
+}
+
+bool is_zero(const Curve& p) {
+  return std::all_of(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) == 0; });
+}
+
+bool is_constant(const Curve& p) {
+  return std::all_of(p.q.begin(), p.q.end() - 1, [](const mpz_class& c) { return sgn(c) == 0; });
+}
+
+bool same_curve(const Curve& p, const Curve& q) { return p.q == q.q; }
+
+mpz_class content(const Curve& p) {
+  mpz_class divisor = 0;
+  for (const mpz_class& coefficient : p.q) divisor = gcd(divisor, coefficient);
+  return divisor;
+}
+
+void make_canonical(Curve& p) {
+  mpz_class divisor = content(p);
+  if (sgn(divisor) == 0) return;
+  const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  if (sgn(*leading) < 0) divisor = -divisor;
+  for (mpz_class& coefficient : p.q) {
+    mpz_divexact(coefficient.get_mpz_t(), coefficient.get_mpz_t(), divisor.get_mpz_t());
+  }
+}
+
+void append_factors(Curve p, std::vector<Curve>& factors) {
+  if (is_constant(p)) return;
+  make_canonical(p);
+  if (sgn(p.q[0]) != 0) return append_factors_of_second_order_in_x(p, factors);
+  if (sgn(p.q[1]) != 0) return append_factors_of_mixed(p, factors);
+  append_once(std::move(p), factors);
+}
+
+}  // namespace halfspace

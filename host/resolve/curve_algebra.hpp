@@ -1,0 +1,36 @@
+// curve_algebra.hpp - polynomials of degree two in (x, y) with integer coefficients: sums, products, rational factors.
+// The type is that of the arcs (resolved_scene.hpp): q0 x^2 + q1 xy + q2 y^2 + q3 x + q4 y + q5.
+// Exact  Everything; no coefficient overflows.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <vector>
+
+#include "host/resolve/resolved_scene.hpp"
+
+namespace halfspace {
+
+[[nodiscard]] Curve constant_curve(const mpz_class& value);
+[[nodiscard]] Curve operator+(Curve p, const Curve& q);
+[[nodiscard]] Curve operator-(Curve p, const Curve& q);
+[[nodiscard]] Curve operator*(const mpz_class& factor, Curve p);
+
+// The product of two polynomials of first order (q0 = q1 = q2 = 0 in both).
+[[nodiscard]] Curve product_of_lines(const Curve& l, const Curve& m);
+
+[[nodiscard]] bool is_zero(const Curve& p);
+[[nodiscard]] bool is_constant(const Curve& p);
+[[nodiscard]] bool same_curve(const Curve& p, const Curve& q);
+
+// The positive greatest common divisor of the coefficients; 0 of the zero polynomial.
+[[nodiscard]] mpz_class content(const Curve& p);
+
+// Divides by the content and makes the first coefficient that is not 0 positive.
+void make_canonical(Curve& p);
+
+// Appends the factors of p that are irreducible over the rationals, canonical, none twice in `factors`. Constants have none.
+// A pair of lines with irrational coefficients stays one curve. Two different results have no common component.
+void append_factors(Curve p, std::vector<Curve>& factors);
+
+}  // namespace halfspace

@@ -1,0 +1,21 @@
+// face_cells.hpp - the cells of the one or two faces of a half-space: rows, intervals, cells, in that order.
+#pragma once
+
+#include <vector>
+
+#include "host/resolve/arc_table.hpp"
+#include "host/resolve/cell_builder.hpp"
+#include "host/resolve/sheet.hpp"
+
+namespace halfspace {
+
+struct FaceCells {
+  Sheet sheet = Sheet::only;
+  std::vector<NamedCell> cells;
+  std::vector<DotSpan> spans;
+};
+
+// Front before back. The caller has shown that untraced constraints keep their sign where all others hold, within the extent.
+[[nodiscard]] std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, ArcTable& arcs);
+
+}  // namespace halfspace

@@ -1,0 +1,147 @@
+#include "host/resolve/root_marks.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+mpz_class value_at(const Polynomial& p, std::int64_t y) {
+  mpz_class value = 0;
+  for (std::size_t i = p.size(); i-- > 0;) value = value * static_cast<long>(y) + p[i];
+  return value;
+}
+
+Polynomial derivative(const Polynomial& p) {
+  Polynomial d;
+  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * static_cast<unsigned long>(i));
+  return d;
+}
+
+// Coefficients of p(y + shift).
+Polynomial shifted(Polynomial p, std::int64_t shift) {
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    for (std::size_t j = p.size() - 1; j-- > i;) p[j] += p[j + 1] * static_cast<long>(shift);
+  }
+  return p;
+}
+
+// May p vanish on (i, i + 1)? With t = y - i in [0, 1] every term t^k lies between 0 and 1, which bounds p from 0.
+bool may_vanish_after(const Polynomial& p, std::int64_t i) {
+  const Polynomial t = shifted(p, i);
+  const int side = sgn(t[0]);
+  mpz_class nearest = abs(t[0]);
+  for (std::size_t k = 1; k < t.size(); ++k) {
+    if (sgn(t[k]) == -side) nearest -= abs(t[k]);
+  }
+  return sgn(nearest) <= 0;
+}
+
+// The root of p in [from, to], where p is strictly monotone.
+void mark_monotone_run(const Polynomial& p, std::int64_t from, std::int64_t to, std::vector<Mark>& marks) {
+  if (from > to) return;
+  const int before = sgn(value_at(p, from));
+  if (before == 0) return marks.push_back(2 * from);
+  const int after = sgn(value_at(p, to));
+  if (after == 0) return marks.push_back(2 * to);
+  if (before == after) return;
+  while (to - from > 1) {
+    const std::int64_t middle = from + (to - from) / 2;
+    const int sign = sgn(value_at(p, middle));
+    if (sign == 0) return marks.push_back(2 * middle);
+    (sign == before ? from : to) = middle;
+  }
+  marks.push_back(2 * from + 1);
+}
+
+// y^i * coefficient lists of a curve read as a2 x^2 + a1(y) x + a0(y).
+struct InPowersOfX {
+  Polynomial a2, a1, a0;
+  explicit InPowersOfX(const Curve& p) : a2{p.q[0]}, a1{p.q[3], p.q[1]}, a0{p.q[5], p.q[4], p.q[2]} {}
+};
+
+Polynomial times(const Polynomial& p, const Polynomial& q) {
+  Polynomial r(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = 0; j < q.size(); ++j) r[i + j] += p[i] * q[j];
+  }
+  return r;
+}
+
+Polynomial minus(Polynomial p, const Polynomial& q) {
+  if (p.size() < q.size()) p.resize(q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) p[i] -= q[i];
+  return p;
+}
+
+Polynomial plus(Polynomial p, const Polynomial& q) {
+  if (p.size() < q.size()) p.resize(q.size());
+  for (std::size_t i = 0; i < q.size(); ++i) p[i] += q[i];
+  return p;
+}
+
+int degree_in_x(const Curve& p) {
+  if (sgn(p.q[0]) != 0) return 2;
+  return sgn(p.q[1]) != 0 || sgn(p.q[3]) != 0 ? 1 : 0;
+}
+
+// Substitutes the root x = -a0/a1 of the first curve into the second.
+Polynomial eliminate_linear(const InPowersOfX& l, const InPowersOfX& q) {
+  const Polynomial squares = plus(times(q.a2, times(l.a0, l.a0)), times(q.a0, times(l.a1, l.a1)));
+  return minus(squares, times(q.a1, times(l.a0, l.a1)));
+}
+
+// The resultant of two polynomials of second order in x.
+Polynomial eliminate(const InPowersOfX& p, const InPowersOfX& q) {
+  const Polynomial outer = minus(times(p.a2, q.a0), times(p.a0, q.a2));
+  const Polynomial left = minus(times(p.a2, q.a1), times(p.a1, q.a2));
+  const Polynomial right = minus(times(p.a1, q.a0), times(p.a0, q.a1));
+  return minus(times(outer, outer), times(left, right));
+}
+
+}  // namespace
+
+std::vector<Mark> root_marks(Polynomial p, std::int64_t first, std::int64_t last) {
+  while (!p.empty() && sgn(p.back()) == 0) p.pop_back();
+  if (p.size() <= 1) return {};
+  std::vector<Mark> marks;
+  std::int64_t from = first;
+  for (const Mark turn :
+       root_marks(derivative(p), first, last)) {  // recursion ends: the degree falls, at most to 0 from 4
+    const bool on_line = turn % 2 == 0;
+    const std::int64_t line = on_line ? turn / 2 : (turn - 1) / 2;
+    mark_monotone_run(p, from, line, marks);
+    if (!on_line && may_vanish_after(p, line)) marks.push_back(turn);
+    from = on_line ? line : line + 1;
+  }
+  mark_monotone_run(p, from, last, marks);
+  std::sort(marks.begin(), marks.end());
+  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+  return marks;
+}
+
+Polynomial turning_lines(const Curve& p) {
+  const InPowersOfX in_x(p);
+  switch (degree_in_x(p)) {
+    case 2:
+      return minus(times(in_x.a1, in_x.a1), times({4}, times(in_x.a2, in_x.a0)));
+    case 1:
+      return in_x.a1;
+    default:
+      return in_x.a0;
+  }
+}
+
+Polynomial meeting_lines(const Curve& p, const Curve& q) {
+  const int degree_p = degree_in_x(p);
+  const int degree_q = degree_in_x(q);
+  if (degree_p == 0 || degree_q == 0) return {};  // its turning lines hold all its points
+  const InPowersOfX in_p(p);
+  const InPowersOfX in_q(q);
+  if (degree_p == 1 && degree_q == 1) return minus(times(in_p.a1, in_q.a0), times(in_p.a0, in_q.a1));
+  if (degree_p == 1) return eliminate_linear(in_p, in_q);
+  if (degree_q == 1) return eliminate_linear(in_q, in_p);
+  return eliminate(in_p, in_q);
+}
+
+}  // namespace halfspace

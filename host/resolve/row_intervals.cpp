@@ -1,0 +1,65 @@
+#include "host/resolve/row_intervals.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace halfspace {
+namespace {
+
+bool within(const LineRoot& x, const std::optional<DotRange>& range) {
+  return !range || (compare(x, rational_root(static_cast<long>(range->first), 1)) >= 0 &&
+                    compare(x, rational_root(static_cast<long>(range->last), 1)) <= 0);
+}
+
+// A point of the open cell left of root i.
+LineRoot sample(const std::vector<RowRoot>& roots, std::size_t i) {
+  if (roots.empty()) return rational_root(0, 1);
+  if (i == 0) return rational_root(floor_of(roots.front().x) - 1, 1);
+  if (i == roots.size()) return rational_root(ceiling_of(roots.back().x) + 1, 1);
+  return rational_between(roots[i - 1].x, roots[i].x);
+}
+
+bool passes_through(const RowRoot& root, std::uint32_t curve) {
+  return std::any_of(root.curves.begin(), root.curves.end(),
+                     [curve](const CurveBranch& b) { return b.curve == curve; });
+}
+
+// Cell 0, root 0, cell 1, ... cell n: does each show?
+std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, const SheetOnLine& line, Sheet sheet,
+                               std::uint32_t pole, const std::optional<DotRange>& range) {
+  std::vector<bool> shown(2 * roots.size() + 1);
+  for (std::size_t i = 0; i <= roots.size(); ++i) {
+    const LineRoot x = sample(roots, i);
+    shown[2 * i] = within(x, range) && line.shows_at(x, sheet);
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (passes_through(roots[i], pole)) continue;
+    const LineRoot& x = roots[i].x;
+    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || (within(x, range) && line.shows_at(x, sheet));
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const SheetOnLine& line, Sheet sheet,
+                                       std::uint32_t pole, const std::optional<DotRange>& range) {
+  const std::vector<bool> shown = shown_pieces(roots, line, sheet, pole, range);
+  std::vector<RowInterval> intervals;
+  const int pieces = static_cast<int>(shown.size());
+  for (int first = 0; first < pieces; ++first) {
+    if (!shown[first]) continue;
+    int last = first;
+    while (last + 1 < pieces && shown[last + 1]) ++last;
+    RowInterval interval;
+    interval.left_open = first % 2 == 0 && first > 0;
+    interval.right_open = last % 2 == 0 && last < pieces - 1;
+    interval.left = first == 0 ? unbounded : (first - 1) / 2;
+    interval.right = last == pieces - 1 ? unbounded : last / 2;
+    intervals.push_back(interval);
+    first = last;
+  }
+  return intervals;
+}
+
+}  // namespace halfspace

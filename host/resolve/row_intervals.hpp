@@ -1,0 +1,33 @@
+// row_intervals.hpp - where a sheet shows on one scan line: maximal intervals between roots of the bounding curves.
+//
+//       o------|==========|----|=====o      Open cells between roots: one sample decides, since no sign changes inside.
+//     cell 0  root 0    root 1 ...          A root joins a cell that shows beside it; one between cells that do not show is
+//                                           decided at the root itself, exactly, and may be an interval of one point.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/resolve/scan_rows.hpp"
+#include "host/resolve/sheet_on_line.hpp"
+
+namespace halfspace {
+
+inline constexpr int unbounded = -1;
+
+struct RowInterval {
+  int left = unbounded, right = unbounded;     // indices of roots
+  bool left_open = false, right_open = false;  // the root itself does not show: only a rational sheet's poles
+};
+
+struct DotRange {
+  std::int64_t first = 0, last = -1;
+};
+
+// `pole`: the index of the curve on which a rational sheet does not exist, or no_arc. With a range, whose ends are then among the
+// roots, nothing shows outside it.
+[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const SheetOnLine& line,
+                                                     Sheet sheet, std::uint32_t pole,
+                                                     const std::optional<DotRange>& range);
+
+}  // namespace halfspace

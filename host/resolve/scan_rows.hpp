@@ -1,0 +1,50 @@
+// scan_rows.hpp - cuts a body's scan lines where its curves change their order, and finds the curves' roots on a line.
+//
+//     y0 ---------------------   slab: integer lines strictly between two marks. On all of them the same roots stand in the
+//          \        |            same order, and none coincide: one line stands for all
+//     -- -- -\- -- -|- -- -- -   mark between two lines: splits, costs nothing else
+//              \    |            slab
+//     -----------X------------   line mark: a row of its own, where roots may coincide
+//               / \              slab
+//     y1 ---------------------
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/resolve/line_root.hpp"
+#include "host/resolve/resolved_scene.hpp"
+#include "host/resolve/root_marks.hpp"
+
+namespace halfspace {
+
+// Local dots, inclusive.
+struct Extent {
+  std::int64_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
+};
+
+struct ScanRow {
+  std::int64_t y0 = 0, y1 = 0;
+  bool singular = false;  // then y0 = y1
+};
+
+// No two of the curves have a common component.
+[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Curve>& curves, std::int64_t y0, std::int64_t y1);
+
+// A curve through a root: Branch::single means the curve with the sign that makes its x coefficient positive on this line.
+struct CurveBranch {
+  std::uint32_t curve = 0;
+  Branch branch = Branch::single;
+  bool negated = false;
+};
+
+// One point of a scan line with every curve that passes through it.
+struct RowRoot {
+  LineRoot x;
+  std::vector<CurveBranch> curves;
+};
+
+// Ascending, distinct.
+[[nodiscard]] std::vector<RowRoot> roots_on_line(const std::vector<Curve>& curves, std::int64_t y);
+
+}  // namespace halfspace

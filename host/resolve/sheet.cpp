@@ -1,0 +1,138 @@
+#include "host/resolve/sheet.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace halfspace {
+namespace {
+
+void negate(Surface& surface) {
+  surface.a = -surface.a;
+  surface.b = -1 * surface.b;
+  surface.c = -1 * surface.c;
+  surface.sense = -surface.sense;
+}
+
+SheetShape shape_of(const Surface& surface, bool curved) {
+  if (sgn(surface.a) != 0) return SheetShape::two_sheets;
+  if (is_zero(surface.b)) return SheetShape::none;
+  return curved ? SheetShape::rational : SheetShape::flat;
+}
+
+// Are the coefficients of s and t proportional?
+bool same_surface(const Surface& s, const Surface& t) {
+  const auto coefficients = [](const Surface& f) {
+    return std::array{f.b.q[3], f.b.q[4], f.b.q[5], f.a, f.c.q[0], f.c.q[1], f.c.q[2], f.c.q[3], f.c.q[4], f.c.q[5]};
+  };
+  const auto p = coefficients(s);
+  const auto q = coefficients(t);
+  const auto leading = std::find_if(p.begin(), p.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  if (leading == p.end()) return false;
+  const auto i = static_cast<std::size_t>(leading - p.begin());
+  if (sgn(q[i]) == 0) return false;
+  for (std::size_t j = 0; j < p.size(); ++j) {
+    if (p[i] * q[j] != p[j] * q[i]) return false;
+  }
+  return true;
+}
+
+void divide_by_common_content(Curve& p, Curve& r) {
+  const mpz_class divisor = gcd(content(p), content(r));
+  if (sgn(divisor) == 0) return;
+  for (mpz_class& q : p.q) q /= divisor;
+  for (mpz_class& q : r.q) q /= divisor;
+}
+
+// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a.
+void set_form_on_two_sheets(const Surface& own, Constraint& other) {
+  const Surface& k = other.surface;
+  const Curve bb = product_of_lines(own.b, own.b);
+  other.p = k.a * (bb - 2 * own.a * own.c) - own.a * product_of_lines(own.b, k.b) + 2 * own.a * own.a * k.c;
+  other.r = own.a * k.b - k.a * own.b;
+}
+
+// b^2 (a' z^2 + b' z + c') on z = -c / b, where c is linear.
+void set_form_on_plane(const Surface& own, Constraint& other) {
+  const Surface& k = other.surface;
+  const mpz_class& b = own.b.q[5];
+  other.p = k.a * product_of_lines(own.c, own.c) - b * product_of_lines(k.b, own.c) + b * b * k.c;
+}
+
+void set_form(const Sheets& sheets, Constraint& other) {
+  if (sheets.shape == SheetShape::rational) return;
+  if (sheets.shape == SheetShape::two_sheets) {
+    set_form_on_two_sheets(sheets.surface, other);
+  } else {
+    set_form_on_plane(sheets.surface, other);
+  }
+  divide_by_common_content(other.p, other.r);
+}
+
+// Where a plane C z + l meets the surface: C^2 value(-l/C), or l alone when the plane is parallel to the rays.
+Curve section(const Surface& quadric, const Surface& plane) {
+  const mpz_class& slope = plane.b.q[5];
+  if (sgn(slope) == 0) return plane.c;
+  return quadric.a * product_of_lines(plane.c, plane.c) - slope * product_of_lines(quadric.b, plane.c) +
+         slope * slope * quadric.c;
+}
+
+}  // namespace
+
+bool is_curved(const IntegerHalfSpace& half_space) {
+  const auto& c = half_space.c;
+  return half_space.kind == HalfSpaceKind::quadric &&
+         std::any_of(c.begin(), c.begin() + 6, [](const mpz_class& q) { return sgn(q) != 0; });
+}
+
+Surface surface_of(const IntegerHalfSpace& half_space) {
+  const auto& c = half_space.c;
+  Surface surface;
+  if (half_space.kind == HalfSpaceKind::plane) {
+    surface = {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, 1};
+  } else {
+    surface = {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, 1};
+  }
+  if (half_space.complement) surface.sense = -1;
+  return surface;
+}
+
+Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
+  Sheets sheets;
+  const IntegerHalfSpace& own = body.half_spaces[half_space];
+  sheets.half_space = half_space;
+  sheets.surface = surface_of(own);
+  sheets.curved = is_curved(own);
+  sheets.shape = shape_of(sheets.surface, sheets.curved);
+  if (sheets.shape == SheetShape::none) return sheets;
+  if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
+  sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
+  for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
+    if (k == half_space) continue;
+    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, is_curved(body.half_spaces[k])};
+    if (same_surface(sheets.surface, other.surface)) continue;
+    set_form(sheets, other);
+    sheets.constraints.push_back(std::move(other));
+  }
+  return sheets;
+}
+
+bool has_untraced_constraint(const Sheets& sheets) {
+  return sheets.curved && std::any_of(sheets.constraints.begin(), sheets.constraints.end(),
+                                      [](const Constraint& k) { return k.curved; });
+}
+
+std::vector<Curve> bounding_curves(const Sheets& sheets) {
+  std::vector<Curve> curves;
+  if (sheets.shape == SheetShape::two_sheets) append_factors(sheets.d, curves);
+  if (sheets.shape == SheetShape::rational) append_factors(sheets.surface.b, curves);
+  for (const Constraint& k : sheets.constraints) {
+    if (!sheets.curved) {
+      append_factors(k.p, curves);
+    } else if (!k.curved) {
+      append_factors(section(sheets.surface, k.surface), curves);
+    }
+  }
+  return curves;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,59 @@
+// sheet.hpp - one half-space's surface as a function of the dot, and the body's other half-spaces seen from it.
+//   surface     a z^2 + b z + c = 0,  b linear and c quadratic in (x, y), a constant and not negative
+//   two_sheets  a > 0:  z = (-b -+ sqrt(d)) / 2a,  d = b^2 - 4ac;  front has the minus
+//   flat        a plane that no ray lies in: z = -c / b, b constant
+//   rational    a = 0, not a plane: z = -c / b where b != 0; where b = 0 the ray meets no point, or lies in the surface
+//   none        the surface is parallel to every ray: no face
+// On a sheet another half-space's value a' z^2 + b' z + c' has, up to a positive factor, the sign of
+//   P + t R sqrt(d)            two_sheets, t = -1 front, 1 back: P quadratic, R linear in (x, y)
+//   P                          flat
+//   a' c^2 - b' b c + c' b^2   rational: of fourth degree, kept as it stands
+// Source   Ressler 1985, chapter 4, for limbs and sections; the form P + R sqrt(D) is the design's.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/flatten/integer_scene.hpp"
+#include "host/resolve/curve_algebra.hpp"
+
+namespace halfspace {
+
+struct Surface {
+  mpz_class a;
+  Curve b, c;
+  int sense = 1;  // the half-space is sense * value <= 0
+};
+
+[[nodiscard]] Surface surface_of(const IntegerHalfSpace& half_space);
+
+// A quadric without terms of second order counts as the plane it is.
+[[nodiscard]] bool is_curved(const IntegerHalfSpace& half_space);
+
+enum class SheetShape : std::uint8_t { none, flat, rational, two_sheets };
+
+struct Constraint {
+  std::uint32_t half_space = 0;
+  Surface surface;
+  Curve p, r;           // unused on a rational sheet
+  bool curved = false;  // with a curved sheet: its meeting curve is not traced
+};
+
+struct Sheets {
+  std::uint32_t half_space = 0;
+  SheetShape shape = SheetShape::none;
+  Surface surface;
+  Curve d;
+  bool curved = false;
+  std::vector<Constraint> constraints;  // without those on the same surface: their value is 0 on every sheet
+};
+
+[[nodiscard]] Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space);
+
+// Does the sign of some constraint depend on a curve that is not traced?
+[[nodiscard]] bool has_untraced_constraint(const Sheets& sheets);
+
+// The curves on which the sheets appear or a constraint may change sign, untraced constraints left out.
+[[nodiscard]] std::vector<Curve> bounding_curves(const Sheets& sheets);
+
+}  // namespace halfspace

@@ -1,0 +1,187 @@
+#include "tests/resolve/brute_force.hpp"
+
+#include <map>
+#include <tuple>
+
+namespace halfspace::test {
+namespace {
+
+// A half-space on the ray of one dot: a z^2 + b z + c.
+struct OnRay {
+  mpz_class a, b, c;
+};
+
+OnRay on_ray(const IntegerHalfSpace& h, const mpz_class& x, const mpz_class& y) {
+  const auto& c = h.c;
+  if (h.kind == HalfSpaceKind::plane) return {0, c[2], c[0] * x + c[1] * y + c[3]};
+  return {c[2], 2 * (c[5] * x + c[4] * y + c[8]),
+          c[0] * x * x + c[1] * y * y + 2 * c[3] * x * y + 2 * c[6] * x + 2 * c[7] * y + c[9]};
+}
+
+// z = (u + t sqrt(d)) / w
+struct Depth {
+  mpz_class u, d, w;
+  int t = 0;
+};
+
+std::optional<Depth> depth_of(const OnRay& f, Sheet sheet) {
+  if (f.a == 0) {
+    if (f.b == 0 || sheet != Sheet::only) return std::nullopt;
+    return Depth{-f.c, 0, f.b, 0};
+  }
+  if (sheet == Sheet::only) return std::nullopt;
+  const mpz_class d = f.b * f.b - 4 * f.a * f.c;
+  if (d < 0) return std::nullopt;
+  const bool plus = (sheet == Sheet::back) == (f.a > 0);
+  return Depth{-f.b, d, 2 * f.a, plus ? 1 : -1};
+}
+
+// The sign of g at the depth: of rational + irrational * sqrt(d).
+int sign_at(const OnRay& g, const Depth& z) {
+  const mpz_class rational = g.a * (z.u * z.u + z.d) + g.b * z.u * z.w + g.c * z.w * z.w;
+  const mpz_class irrational = z.t * (2 * g.a * z.u + g.b * z.w);
+  const int s = sgn(rational);
+  const int r = sgn(irrational) * sgn(z.d);
+  if (s == 0 || r == 0 || s == r) return s != 0 ? s : r;
+  const mpz_class difference = rational * rational - irrational * irrational * z.d;
+  return s * sgn(difference);
+}
+
+mpz_class value(const Curve& k, const mpz_class& x, const mpz_class& y) {
+  return k.q[0] * x * x + k.q[1] * x * y + k.q[2] * y * y + k.q[3] * x + k.q[4] * y + k.q[5];
+}
+
+// The derivative in x.
+mpz_class slope(const Curve& k, const mpz_class& x, const mpz_class& y) { return 2 * k.q[0] * x + k.q[1] * y + k.q[3]; }
+
+bool at_or_right_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
+  const mpz_class v = value(arc.curve, x, y);
+  const mpz_class s = slope(arc.curve, x, y);
+  switch (arc.branch) {
+    case Branch::single:
+      return v >= 0;
+    case Branch::left:
+      return v <= 0 || s >= 0;
+    case Branch::right:
+      return v >= 0 && s >= 0;
+  }
+  return false;
+}
+
+bool at_or_left_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
+  const mpz_class v = value(arc.curve, x, y);
+  const mpz_class s = slope(arc.curve, x, y);
+  switch (arc.branch) {
+    case Branch::single:
+      return v <= 0;
+    case Branch::left:
+      return v >= 0 && s <= 0;
+    case Branch::right:
+      return v <= 0 || s <= 0;
+  }
+  return false;
+}
+
+bool arc_exists(const Arc& arc, const mpz_class& y) {
+  const auto& q = arc.curve.q;
+  const mpz_class linear = q[1] * y + q[3];
+  if (arc.branch == Branch::single) return q[0] == 0 && linear > 0;
+  const mpz_class constant = q[2] * y * y + q[4] * y + q[5];
+  return q[0] > 0 && linear * linear >= 4 * q[0] * constant;
+}
+
+using FaceKey = std::tuple<std::uint32_t, std::uint32_t, Sheet>;
+
+}  // namespace
+
+bool shows(const IntegerBody& body, std::uint32_t half_space, Sheet sheet, int i, int j) {
+  const mpz_class x = i - body.origin[0];
+  const mpz_class y = j - body.origin[1];
+  if (body.half_spaces[half_space].transparent) return false;
+  const auto z = depth_of(on_ray(body.half_spaces[half_space], x, y), sheet);
+  if (!z) return false;
+  for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
+    if (k == half_space) continue;
+    const int sign = sign_at(on_ray(body.half_spaces[k], x, y), *z);
+    if (body.half_spaces[k].complement ? sign < 0 : sign > 0) return false;
+  }
+  return true;
+}
+
+bool in_cell(const IntegerScene& scene, const ResolvedScene& resolved, const Cell& cell, int i, int j) {
+  if (j < cell.y0 || j > cell.y1) return false;
+  const IntegerBody& body = scene.bodies[resolved.faces[cell.face].body];
+  const mpz_class x = i - body.origin[0];
+  const mpz_class y = j - body.origin[1];
+  return (cell.left == no_arc || at_or_right_of(resolved.arcs[cell.left], x, y)) &&
+         (cell.right == no_arc || at_or_left_of(resolved.arcs[cell.right], x, y));
+}
+
+std::optional<std::string> broken_structure(const IntegerScene& scene, const ResolvedScene& resolved) {
+  for (std::size_t a = 0; a < resolved.arcs.size(); ++a) {
+    const Arc& arc = resolved.arcs[a];
+    if (arc.y0 > arc.y1) return "arc " + std::to_string(a) + " has no line";
+    for (int y = arc.y0; y <= arc.y1; ++y) {
+      if (!arc_exists(arc, y - scene.bodies[arc.body].origin[1])) {
+        return "arc " + std::to_string(a) + " does not exist on line " + std::to_string(y);
+      }
+    }
+  }
+  for (std::size_t c = 0; c < resolved.cells.size(); ++c) {
+    const Cell& cell = resolved.cells[c];
+    const std::string name = "cell " + std::to_string(c);
+    if (cell.y0 > cell.y1 || cell.y0 < scene.scissor.y0 || cell.y1 > scene.scissor.y1) return name + ": bad lines";
+    for (const std::uint32_t side : {cell.left, cell.right}) {
+      if (side == no_arc) continue;
+      const Arc& arc = resolved.arcs.at(side);
+      if (cell.y0 < arc.y0 || cell.y1 > arc.y1) return name + " leaves the lines of its arc";
+      if (arc.body != resolved.faces.at(cell.face).body) return name + " has an arc of another body";
+    }
+  }
+  for (std::size_t f = 1; f < resolved.faces.size(); ++f) {
+    const auto key = [&](std::size_t i) {
+      return FaceKey{resolved.faces[i].body, resolved.faces[i].half_space, resolved.faces[i].sheet};
+    };
+    if (!(key(f - 1) < key(f))) return "faces out of order";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> wrong_dot(const IntegerScene& scene, const ResolvedScene& resolved) {
+  std::map<FaceKey, std::uint32_t> index;
+  for (std::uint32_t f = 0; f < resolved.faces.size(); ++f) {
+    index[{resolved.faces[f].body, resolved.faces[f].half_space, resolved.faces[f].sheet}] = f;
+  }
+  const auto width = static_cast<std::size_t>(scene.width);
+  std::vector<std::vector<int>> cover(resolved.faces.size(),
+                                      std::vector<int>(width * static_cast<std::size_t>(scene.height)));
+  const auto at = [width](int i, int j) { return static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i); };
+  const Scissor& s = scene.scissor;
+  for (const Cell& cell : resolved.cells) {
+    for (int j = cell.y0; j <= cell.y1; ++j) {
+      for (int i = s.x0; i <= s.x1; ++i) cover[cell.face][at(i, j)] += in_cell(scene, resolved, cell, i, j) ? 1 : 0;
+    }
+  }
+  for (const LineSpan& span : resolved.spans) {
+    for (int i = span.x0; i <= span.x1; ++i) ++cover[span.face][at(i, span.y)];
+  }
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    for (std::uint32_t h = 0; h < scene.bodies[b].half_spaces.size(); ++h) {
+      for (const Sheet sheet : {Sheet::only, Sheet::front, Sheet::back}) {
+        const auto face = index.find({b, h, sheet});
+        for (int j = s.y0; j <= s.y1; ++j) {
+          for (int i = s.x0; i <= s.x1; ++i) {
+            const int have = face == index.end() ? 0 : cover[face->second][at(i, j)];
+            if (have == (shows(scene.bodies[b], h, sheet, i, j) ? 1 : 0)) continue;
+            return "body " + std::to_string(b) + " half-space " + std::to_string(h) + " sheet " +
+                   std::to_string(static_cast<int>(sheet)) + " dot (" + std::to_string(i) + ", " + std::to_string(j) +
+                   "): in " + std::to_string(have) + " cells";
+          }
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace halfspace::test

@@ -1,0 +1,44 @@
+// Thousands of seeded bodies, every face decided at every dot of a small page by brute force.
+#include <gtest/gtest.h>
+
+#include "host/resolve/resolve.hpp"
+#include "tests/resolve/body_maker.hpp"
+#include "tests/resolve/brute_force.hpp"
+
+namespace halfspace::test {
+namespace {
+
+void expect_exact(const IntegerScene& scene, const ResolveResult& result, std::uint64_t seed) {
+  const auto broken = broken_structure(scene, result.scene);
+  ASSERT_FALSE(broken) << "seed " << seed << ": " << *broken;
+  const auto wrong = wrong_dot(scene, result.scene);
+  ASSERT_FALSE(wrong) << "seed " << seed << ": " << *wrong;
+}
+
+TEST(RandomBodies, WithOneQuadricAreNeverRefusedAndEveryDotIsRight) {
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    Dice dice(seed);
+    const IntegerScene scene = page_with(random_body(dice, 1), 24, 24);
+    const ResolveResult result = resolve(scene);
+    ASSERT_TRUE(result.diagnostics.empty()) << "seed " << seed << ": " << result.diagnostics[0].message;
+    expect_exact(scene, result, seed);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(RandomBodies, WithManyQuadricsAreRefusedOrEveryDotIsRight) {
+  int drawn = 0;
+  for (std::uint64_t seed = 100001; seed <= 101500; ++seed) {
+    Dice dice(seed);
+    const IntegerScene scene = page_with(random_body(dice, 3), 24, 24);
+    const ResolveResult result = resolve(scene);
+    if (!result.diagnostics.empty()) continue;
+    if (!result.scene.faces.empty()) ++drawn;
+    expect_exact(scene, result, seed);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(drawn, 300);
+}
+
+}  // namespace
+}  // namespace halfspace::test
