@@ -8,7 +8,7 @@ namespace {
 constexpr std::int32_t page_rows = 8;  // scan lines in one page of the display
 
 // Dark first, lit last, so that no stale picture flashes up.
-constexpr std::array<std::uint8_t, 25> set_up{
+constexpr std::uint8_t set_up[] = {
     0xAE,        // display off
     0xD5, 0x80,  // clock: divide by 1, default frequency
     0xA8, 0x3F,  // 64 lines multiplexed
@@ -23,8 +23,8 @@ constexpr std::array<std::uint8_t, 25> set_up{
     0xDB, 0x40,  // deselect level
     0xA4, 0xA6,  // show the memory, a set bit is lit
 };
-constexpr std::array<std::uint8_t, 6> whole_window{0x21, 0, 127, 0x22, 0, 7};
-constexpr std::array<std::uint8_t, 1> display_on{0xAF};
+constexpr std::uint8_t whole_window[] = {0x21, 0, 127, 0x22, 0, 7};
+constexpr std::uint8_t display_on[] = {0xAF};
 
 }  // namespace
 
@@ -46,8 +46,7 @@ void Ssd1306Driver::light_row(std::int32_t row_of_page, std::span<const std::uin
 }
 
 DeviceStatus Ssd1306Driver::put_columns() {
-  const DeviceStatus status =
-      retry_while_busy(clock_, driver_patience_ms, [&] { return port_.data(columns_); });
+  const DeviceStatus status = retry_while_busy(clock_, driver_patience_ms, [&] { return port_.data(columns_); });
   columns_.fill(0);
   return status;
 }
