@@ -1,0 +1,316 @@
+#include "host/flatten/flatten.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "host/flatten/extent.hpp"
+#include "host/flatten/lighting.hpp"
+#include "host/flatten/mating.hpp"
+#include "host/flatten/placement.hpp"
+#include "host/flatten/quantise.hpp"
+#include "host/flatten/view.hpp"
+#include "host/flatten/window.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr std::int32_t page_limit = 32767;
+// Depths of a body without end are held to the promised bound this many page sizes about the page.
+constexpr int endless_depth = 2;
+constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
+
+// What a placed half-space is on the page, and what becomes of it.
+struct PageHalfSpace {
+  RealHalfSpace shape;     // dot frame
+  std::optional<Box> box;  // around the bodies that use it
+  std::size_t leader = no_leader;
+  bool opposite = false;
+  Quantised quantised;
+};
+
+class Flattener {
+ public:
+  Flattener(const Scene& scene, const FlattenOptions& options) : source_(scene), options_(options) {}
+
+  FlattenResult run() {
+    if (check_options() && settle() && fit() && localise()) build();
+    return std::move(result_);
+  }
+
+ private:
+  bool fail(Severity severity, const SourcePosition& position, const std::string& message) {
+    result_.diagnostics.push_back({severity, position, message});
+    return false;
+  }
+
+  bool check_options() {
+    const auto& o = options_;
+    const std::string page = std::to_string(o.width) + " x " + std::to_string(o.height) + " dots";
+    if (o.width < 1 || o.height < 1) return fail(Severity::error, {}, "a page of " + page + " has no dot");
+    if (o.width > page_limit || o.height > page_limit) {
+      return fail(Severity::limit, {},
+                  "a page of " + page + " is larger than " + std::to_string(page_limit) + " a side");
+    }
+    if (o.levels < 2 || o.levels > 256) {
+      return fail(Severity::error, {}, std::to_string(o.levels) + " levels; a device has 2 to 256");
+    }
+    if (o.aspect_numerator < 1 || o.aspect_denominator < 1) {
+      return fail(Severity::error, {}, "the pixel aspect is not positive");
+    }
+    result_.scene.width = o.width;
+    result_.scene.height = o.height;
+    result_.scene.levels = o.levels;
+    return true;
+  }
+
+  // The view, and every body in its frame, with the clipping planes and the eye plane.
+  bool settle() {
+    placed_ = place_bodies(source_, result_.diagnostics);
+    const auto view = settle_view(source_, options_.view_id, result_.diagnostics);
+    if (!view || is_hopeless()) return false;
+    view_ = *view;
+    const Matrix4 to_world = view_to_world(view_);
+    if (!finite(to_world)) {
+      return fail(Severity::error, view_.position, "the view's vectors leave the range of numbers; use milder ones");
+    }
+    for (PlacedHalfSpace& h : placed_.half_spaces) h.shape = normalised(transformed(h.shape, to_world));
+    return true;
+  }
+
+  [[nodiscard]] bool is_hopeless() const {
+    return std::any_of(result_.diagnostics.begin(), result_.diagnostics.end(),
+                       [](const Diagnostic& d) { return d.severity != Severity::warning; });
+  }
+
+  [[nodiscard]] std::vector<Side> sides_of(const PlacedBody& body) const {
+    std::vector<Side> sides;
+    for (const HalfSpaceUse& use : body.uses) {
+      sides.push_back({placed_.half_spaces[use.half_space].shape, use.complement});
+    }
+    return sides;
+  }
+
+  // The window needs the picture's extent, which clipping planes have no effect on, unless it is given.
+  bool fit() {
+    std::optional<Box> extent;
+    if (needs_extent(view_)) {
+      for (const PlacedBody& body : placed_.bodies) {
+        std::vector<Side> sides = sides_of(body);
+        if (view_.perspective) sides.push_back({eye_plane(), false});
+        const Extent own = extent_of(sides);
+        if (own.unbounded) return fail_unbounded(body);
+        if (!own.empty) extent = extent ? around(*extent, own.box) : own.box;
+      }
+    }
+    if (!extent && needs_extent(view_)) {
+      fail(Severity::warning, view_.position,
+           "there is nothing to draw: the scene places no solid; the page stays empty");
+    }
+    const Device device{options_.width, options_.height, Real(options_.aspect_numerator) / options_.aspect_denominator};
+    page_ = fit_window(view_, device, extent.value_or(Box{}));
+    result_.scene.scissor = page_.scissor;
+    const auto lighting = light_scene(source_, view_, page_, result_.diagnostics);
+    if (lighting) result_.scene.lighting = *lighting;
+    return lighting.has_value();
+  }
+
+  bool fail_unbounded(const PlacedBody& body) {
+    return fail(Severity::error, body.position,
+                "body '" + body.name +
+                    "' has no end, so the picture cannot be fitted; bound it with a half-space or "
+                    "give the view whw and whh");
+  }
+
+  static RealHalfSpace eye_plane() { return {HalfSpaceKind::plane, {0, 0, 1, 0}}; }
+
+  // From here on in dots. Clipping planes and the eye plane become the last half-spaces of each body.
+  bool localise() {
+    append_view_planes();
+    const Matrix4 to_view = page_.dot_to_view();
+    for (PlacedHalfSpace& h : placed_.half_spaces) {
+      half_spaces_.push_back({normalised(transformed(h.shape, to_view)), std::nullopt, no_leader, false, {}});
+      h.shape = half_spaces_.back().shape;
+      if (!finite(h.shape)) {
+        return fail(Severity::error, h.position,
+                    "'" + h.name + "' lies beyond 10^4900 dots on this page; use milder numbers");
+      }
+    }
+    for (const PlacedBody& body : placed_.bodies) {
+      const Box box = box_on_page(body);
+      for (const HalfSpaceUse& use : body.uses) {
+        auto& known = half_spaces_[use.half_space].box;
+        known = known ? around(*known, box) : box;
+      }
+    }
+    mate();
+    return quantise_all();
+  }
+
+  void append_view_planes() {
+    std::vector<HalfSpaceUse> uses;
+    const auto append = [&](const RealHalfSpace& shape, bool transparent, const char* name, bool complement) {
+      uses.push_back({placed_.half_spaces.size(), complement});
+      placed_.half_spaces.push_back({shape, transparent, name, view_.position});
+    };
+    if (view_.clipping) {
+      append(before_plane(view_, view_.clipping->front), false, "front clipping plane", true);
+      append(before_plane(view_, view_.clipping->back), false, "back clipping plane", false);
+    }
+    if (view_.perspective) append(eye_plane(), true, "eye plane", false);
+    for (PlacedBody& body : placed_.bodies) body.uses.insert(body.uses.end(), uses.begin(), uses.end());
+  }
+
+  // The page with a dot around it, as sides of bodies: local dots from `origin`.
+  [[nodiscard]] std::vector<Side> page_sides(const Vector3& origin) const {
+    const auto plane = [](std::size_t axis, Real at) {
+      RealHalfSpace h{HalfSpaceKind::plane, {}};
+      h.c[axis] = 1;
+      h.c[3] = -at;
+      return h;
+    };
+    return {{plane(0, -1 - origin[0]), true},
+            {plane(0, options_.width - origin[0]), false},
+            {plane(1, -1 - origin[1]), true},
+            {plane(1, options_.height - origin[1]), false}};
+  }
+
+  [[nodiscard]] bool is_on_page(const Box& box) const {
+    return box.low[0] >= -1 && box.low[1] >= -1 && box.high[0] <= options_.width && box.high[1] <= options_.height;
+  }
+
+  // The part of the body on the page; of a body that lies off the page, all of it.
+  [[nodiscard]] Box box_on_page(const PlacedBody& body) const {
+    std::vector<Side> sides = sides_of(body);
+    const Extent whole = extent_of(sides);
+    if (!whole.empty && !whole.unbounded && is_on_page(whole.box)) return whole.box;
+    const std::vector<Side> page = page_sides({0, 0, 0});
+    sides.insert(sides.end(), page.begin(), page.end());
+    const Extent part = extent_of(sides);
+    if (!part.unbounded && !part.empty) return part.box;
+    if (!part.unbounded && !whole.unbounded && !whole.empty) return whole.box;
+    return endless_box(part);
+  }
+
+  [[nodiscard]] Box endless_box(const Extent& part) const {
+    const Real depth = endless_depth * Real(std::max(options_.width, options_.height));
+    Box box{{-1, -1, -depth}, {Real(options_.width), Real(options_.height), depth}};
+    if (!part.empty) box = around(box, part.box);
+    return box;
+  }
+
+  void mate() {
+    PlaneMating mating({Real(options_.width) / 2, Real(options_.height) / 2, 0});
+    for (PageHalfSpace& h : half_spaces_) {
+      const bool has_normal =
+          h.shape.kind == HalfSpaceKind::plane && largest({h.shape.c[0], h.shape.c[1], h.shape.c[2]}) != 0;
+      if (!has_normal || !h.box) continue;
+      const PlaneMating::Match match = mating.add(h.shape, *h.box);
+      h.leader = match.leader;
+      h.opposite = match.opposite;
+    }
+    leaders_ = mating.leaders();
+  }
+
+  // A leader's plane is rounded for the boxes of all that joined it.
+  bool quantise_all() {
+    std::vector<std::optional<Quantised>> planes(leaders_.size());
+    for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
+      PageHalfSpace& h = half_spaces_[i];
+      if (!h.box) continue;
+      std::optional<Quantised> quantised;
+      if (h.leader == no_leader) {
+        quantised = quantise(h.shape, *h.box);
+      } else {
+        auto& plane = planes[h.leader];
+        if (!plane) plane = quantise(h.shape, leaders_[h.leader].all);
+        quantised = plane;
+        if (quantised) quantised->bound = larger(quantised->bound, plane_distance(plane->form, h.shape, *h.box));
+      }
+      if (!quantised) {
+        const PlacedHalfSpace& source = placed_.half_spaces[i];
+        fail(Severity::limit, source.position,
+             "'" + source.name + "' cannot be held to its accuracy in integers: its parts differ in size too much");
+        continue;
+      }
+      h.quantised = std::move(*quantised);
+    }
+    return !is_hopeless();
+  }
+
+  void build() {
+    for (PlacedBody& body : placed_.bodies) {
+      result_.scene.bodies.push_back(build_body(body));
+      for (const IntegerHalfSpace& h : result_.scene.bodies.back().half_spaces) {
+        result_.scene.bound = std::max(result_.scene.bound, h.bound);
+      }
+    }
+  }
+
+  IntegerBody build_body(PlacedBody& source) {
+    IntegerBody body;
+    body.name = std::move(source.name);
+    body.position = source.position;
+    set_origin(source, body);
+    const IntegerPoint origin{mpz_class(body.origin[0]), mpz_class(body.origin[1]), mpz_class(body.origin[2])};
+    std::vector<Side> sides;
+    for (const HalfSpaceUse& use : source.uses) {
+      const PageHalfSpace& h = half_spaces_[use.half_space];
+      const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
+      const IntegerForm local = seen_from(h.quantised.form, origin);
+      // A leader written the other way round holds where its complement did.
+      const bool complement = use.complement != h.opposite;
+      body.half_spaces.push_back({local.kind, local.c, complement, statement.transparent,
+                                  double_above(h.quantised.bound), statement.name, statement.position});
+      sides.push_back({normalised(to_real(local)), complement});
+    }
+    set_box(sides, body);
+    return body;
+  }
+
+  // Near the middle of the body's part on the page.
+  void set_origin(const PlacedBody& source, IntegerBody& body) {
+    const Box box = box_on_page(source);
+    const Vector3 last{Real(options_.width - 1), Real(options_.height - 1), power_of_two(62)};
+    const Vector3 first{0, 0, -power_of_two(62)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real middle = (larger(box.low[i], first[i]) + smaller(box.high[i], last[i])) / 2;
+      body.origin[i] = static_cast<std::int64_t>(nearest_whole(smaller(larger(middle, first[i]), last[i])));
+    }
+  }
+
+  // Around the silhouette of the integers themselves: where two of them meet at a small angle, the edge may lie
+  // further from the true one than the surfaces do.
+  void set_box(std::vector<Side>& sides, IntegerBody& body) const {
+    const Vector3 origin{Real(body.origin[0]), Real(body.origin[1]), Real(body.origin[2])};
+    const std::vector<Side> page = page_sides(origin);
+    sides.insert(sides.end(), page.begin(), page.end());
+    const Extent extent = extent_of(sides);
+    const Scissor& scissor = page_.scissor;
+    Box box{{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
+    if (!extent.unbounded) {
+      if (extent.empty) return;
+      box = {sum(extent.box.low, origin), sum(extent.box.high, origin)};
+    }
+    const auto dot = [](Real v) { return static_cast<std::int32_t>(v); };
+    body.x0 = std::max(scissor.x0, dot(floor_of(box.low[0])));
+    body.y0 = std::max(scissor.y0, dot(floor_of(box.low[1])));
+    body.x1 = std::min(scissor.x1, dot(-floor_of(-box.high[0])));
+    body.y1 = std::min(scissor.y1, dot(-floor_of(-box.high[1])));
+  }
+
+  const Scene& source_;
+  const FlattenOptions& options_;
+  FlattenResult result_;
+  PlacedScene placed_;
+  View view_;
+  PageMap page_;
+  std::vector<PageHalfSpace> half_spaces_;
+  std::vector<PlaneMating::Leader> leaders_;
+};
+
+}  // namespace
+
+FlattenResult flatten(const Scene& scene, const FlattenOptions& options) { return Flattener(scene, options).run(); }
+
+}  // namespace halfspace

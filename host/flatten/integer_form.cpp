@@ -1,0 +1,45 @@
+#include "host/flatten/integer_form.hpp"
+
+namespace halfspace {
+
+IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
+  IntegerForm result = form;
+  auto& c = result.c;
+  if (form.kind == HalfSpaceKind::plane) {
+    for (std::size_t i = 0; i < 3; ++i) c[3] += form.c[i] * origin[i];
+    return result;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) c[6 + i] += form.c[quadric_index[i][j]] * origin[j];
+  }
+  // value(origin) = sum over i of (linear_i(0) + linear_i(origin)) origin_i + K
+  for (std::size_t i = 0; i < 3; ++i) c[9] += (form.c[6 + i] + c[6 + i]) * origin[i];
+  return result;
+}
+
+IntegerForm primitive(IntegerForm form) {
+  mpz_class common = 0;
+  for (const mpz_class& v : form.c) common = gcd(common, v);
+  if (common > 1) {
+    for (mpz_class& v : form.c) v /= common;
+  }
+  return form;
+}
+
+void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i; j < 4; ++j) quadric.c[quadric_index[i][j]] += sign * linear[i] * linear[j];
+  }
+}
+
+RealHalfSpace to_real(const IntegerForm& form) {
+  RealHalfSpace result{form.kind, {}};
+  for (std::size_t i = 0; i < coefficient_count(form.kind); ++i) result.c[i] = to_real(form.c[i]);
+  return result;
+}
+
+IntegerPoint round_to_integers(const Vector3& v) {
+  return {round_to_integer(v[0]), round_to_integer(v[1]), round_to_integer(v[2])};
+}
+
+}  // namespace halfspace

@@ -1,0 +1,34 @@
+// integer_form.hpp - the integer coefficients of a half-space: moved between frames, reduced, built from squares.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+
+#include "host/flatten/matrix.hpp"
+
+namespace halfspace {
+
+using IntegerPoint = std::array<mpz_class, 3>;
+using IntegerLinear = std::array<mpz_class, 4>;
+
+// Coefficients as in IntegerHalfSpace.
+struct IntegerForm {
+  HalfSpaceKind kind = HalfSpaceKind::plane;
+  std::array<mpz_class, 10> c;
+};
+
+// The same form seen from `origin`: x = origin + x'. Exact; the common factor stays what it was.
+[[nodiscard]] IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin);
+
+// Without its common factor.
+[[nodiscard]] IntegerForm primitive(IntegerForm form);
+
+// Adds sign * linear^2 to a quadric.
+void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear);
+
+[[nodiscard]] RealHalfSpace to_real(const IntegerForm& form);
+
+[[nodiscard]] IntegerPoint round_to_integers(const Vector3& v);
+
+}  // namespace halfspace

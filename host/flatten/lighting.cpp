@@ -1,0 +1,131 @@
+#include "host/flatten/lighting.hpp"
+
+#include <span>
+#include <vector>
+
+#include "host/flatten/rational.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr int entry_bits = 15;  // of the matrix and of the light
+constexpr long decimal_unit = 10000;
+constexpr long binary_unit = 1L << 16;
+
+std::int64_t to_int(Real v) { return round_to_integer(v).get_si(); }
+
+// Small integers in the same proportions, or the nearest with the largest entry at 2^15.
+std::vector<std::int64_t> scale_to_entries(std::span<const Real> values) {
+  std::vector<std::int64_t> result;
+  if (const auto exact = small_proportions(values, entry_bits)) {
+    for (const mpz_class& v : *exact) result.push_back(v.get_si());
+    return result;
+  }
+  Real most = 0;
+  for (const Real v : values) most = larger(most, magnitude(v));
+  for (const Real v : values) result.push_back(to_int(v / most * power_of_two(entry_bits)));
+  return result;
+}
+
+// Rows: how the normal's part along right, down and into follows from a gradient in the dot frame.
+std::array<Vector4, 3> normal_rows(const View& view, const PageMap& page) {
+  const Real half = Real(1) / 2;
+  std::array<Vector4, 3> rows = directions_to_view(view);
+  for (Vector4& row : rows) {
+    row = {row[0] * page.scale_x + row[3] * (page.offset_x - half),
+           row[1] * page.scale_y + row[3] * (page.offset_y - half), row[2] * page.scale_y, row[3]};
+  }
+  return rows;
+}
+
+void set_normal_matrix(const View& view, const PageMap& page, IntegerLighting& lighting) {
+  const std::array<Vector4, 3> rows = normal_rows(view, page);
+  std::vector<Real> entries;
+  for (const Vector4& row : rows) entries.insert(entries.end(), row.begin(), row.end());
+  std::vector<std::int64_t> integers;
+  if (!view.perspective) {
+    integers = scale_to_entries(entries);
+  } else {
+    // The last column is (0, 0, 1): multiply by an even integer, which also keeps the page's middle exact.
+    Real most = 1;
+    for (const Real v : entries) most = larger(most, magnitude(v));
+    Real factor = nearest_whole(power_of_two(entry_bits - 1) / most - Real(1) / 2) * 2;
+    if (factor < 1) factor = 1;
+    for (const Real v : entries) integers.push_back(to_int(v * factor));
+  }
+  for (std::size_t i = 0; i < 12; ++i) lighting.normal_matrix[i / 4][i % 4] = integers[i];
+}
+
+void warn(Diagnostics& diagnostics, const SourcePosition& position, const std::string& message) {
+  diagnostics.push_back({Severity::warning, position, message});
+}
+
+mpq_class clamped_intensity(const LightStatement& light, Diagnostics& diagnostics) {
+  const mpq_class intensity = decimal_to_rational(light.intensity.text);
+  if (intensity < 0) {
+    warn(diagnostics, light.position, "intensity " + light.intensity.text + " is below 0; 0 is used");
+    return 0;
+  }
+  if (intensity > 1) {
+    warn(diagnostics, light.position, "intensity " + light.intensity.text + " is above 1; 1 is used");
+    return 1;
+  }
+  return intensity;
+}
+
+bool has_four_decimals(const mpq_class& v) { return mpq_class(v * decimal_unit).get_den() == 1; }
+
+std::int64_t nearest_multiple(const mpq_class& v, long unit) {
+  const mpq_class scaled = v * unit + mpq_class(1, 2);
+  return mpz_class(scaled.get_num() / scaled.get_den()).get_si();
+}
+
+void set_intensities(const mpq_class& ambient, const mpq_class& parallel, IntegerLighting& lighting) {
+  const bool is_decimal = has_four_decimals(ambient) && has_four_decimals(parallel);
+  const long unit = is_decimal ? decimal_unit : binary_unit;
+  const std::int64_t a = nearest_multiple(ambient, unit);
+  const std::int64_t p = nearest_multiple(parallel, unit);
+  const mpz_class common = gcd(gcd(mpz_class(a), mpz_class(p)), mpz_class(unit));
+  const long divisor = common.get_si();
+  lighting.ambient = a / divisor;
+  lighting.parallel = p / divisor;
+  lighting.unit = unit / divisor;
+}
+
+}  // namespace
+
+std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view, const PageMap& page,
+                                           Diagnostics& diagnostics) {
+  mpq_class ambient = 0;
+  mpq_class parallel = 1;  // the automatic light: 1 0 0 -1
+  Vector3 direction{0, 0, -1};
+  for (const LightStatement& light : scene.lights) {
+    const mpq_class intensity = clamped_intensity(light, diagnostics);
+    if (!light.direction) {
+      ambient += intensity;
+      continue;
+    }
+    parallel = intensity;
+    for (std::size_t i = 0; i < 3; ++i) direction[i] = decimal_to_real((*light.direction)[i].text);
+    if (largest(direction) == 0) {
+      diagnostics.push_back({Severity::error, light.position,
+                             "light '" + light.id + "' points nowhere; give a direction other than 0 0 0"});
+      return std::nullopt;
+    }
+  }
+  if (ambient > 1) {
+    const SourcePosition position = scene.lights.back().position;
+    warn(diagnostics, position, "the ambient lights add up to more than 1; 1 is used");
+    ambient = 1;
+  }
+  IntegerLighting lighting;
+  set_intensities(ambient, parallel, lighting);
+  const Vector3 towards = unit(direction);
+  const Vector3 light{dot(towards, view.right), dot(towards, view.down), dot(towards, view.into)};
+  const auto entries = scale_to_entries(light);
+  for (std::size_t i = 0; i < 3; ++i) lighting.light[i] = entries[i];
+  set_normal_matrix(view, page, lighting);
+  return lighting;
+}
+
+}  // namespace halfspace

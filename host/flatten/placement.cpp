@@ -1,0 +1,195 @@
+#include "host/flatten/placement.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+
+#include "host/flatten/transform.hpp"
+
+namespace halfspace {
+namespace {
+
+// How many bodies a group places, counted without placing them and no further than one past the limit.
+class BodyCensus {
+ public:
+  BodyCensus(const Scene& scene, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
+    for (const Group& group : scene.definitions) definitions_[group.id] = &group;
+    count(scene.top, 0);
+  }
+
+  [[nodiscard]] const Group& definition(const std::string& id) const { return *definitions_.at(id); }
+  [[nodiscard]] bool is_empty(const std::string& id) const { return counts_.at(&definition(id)) == 0; }
+
+ private:
+  std::uint64_t count(const Group& group, int depth) {
+    if (const auto known = counts_.find(&group); known != counts_.end()) return known->second;
+    std::uint64_t total = 0;
+    for (const Placement& placement : group.placements) {
+      const std::uint64_t before = total;
+      total += std::visit([&](const auto& p) { return count_of(p, depth); }, placement);
+      if (total <= placed_body_limit) continue;
+      if (before <= placed_body_limit) report_excess(placement);
+      total = placed_body_limit + 1;
+    }
+    return counts_[&group] = total;
+  }
+
+  static std::uint64_t count_of(const BodyStatement& /*body*/, int /*depth*/) { return 1; }
+  std::uint64_t count_of(const InstanceStatement& instance, int depth) {
+    return count_below(instance.definition, instance.position, depth);
+  }
+  std::uint64_t count_of(const ArrayStatement& array, int depth) {
+    return array.count * count_below(array.definition, array.position, depth);
+  }
+
+  std::uint64_t count_below(const std::string& id, const SourcePosition& position, int depth) {
+    if (depth == placement_depth_limit) {
+      if (!std::exchange(too_deep_, true)) {
+        diagnostics_.push_back({Severity::limit, position,
+                                "definitions are nested more than " + std::to_string(placement_depth_limit) +
+                                    " deep; place '" + id + "' nearer the top"});
+      }
+      return 0;
+    }
+    return count(definition(id), depth + 1);
+  }
+
+  // Once, at the innermost statement: everything that holds it is over the limit for the same reason.
+  void report_excess(const Placement& placement) {
+    if (std::exchange(too_many_, true)) return;
+    std::visit(
+        [&](const auto& p) {
+          diagnostics_.push_back({Severity::limit, p.position,
+                                  "'" + p.id + "' brings the picture to more than " +
+                                      std::to_string(placed_body_limit) + " bodies; place fewer copies"});
+        },
+        placement);
+  }
+
+  Diagnostics& diagnostics_;
+  std::unordered_map<std::string, const Group*> definitions_;
+  std::unordered_map<const Group*, std::uint64_t> counts_;
+  bool too_deep_ = false;
+  bool too_many_ = false;
+};
+
+template <std::size_t n>
+RealHalfSpace real_half_space(HalfSpaceKind kind, const std::array<Number, n>& coefficients) {
+  RealHalfSpace h{kind, {}};
+  std::transform(coefficients.begin(), coefficients.end(), h.c.begin(),
+                 [](const Number& number) { return decimal_to_real(number.text); });
+  return normalised(h);
+}
+
+// Keeps the coefficients of a group's statements, whose decimals are read once for all copies.
+using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
+
+GroupShapes shapes_of(const Group& group) {
+  GroupShapes shapes;
+  for (const PlaneStatement& s : group.planes) {
+    shapes[s.id] = {real_half_space(HalfSpaceKind::plane, s.coefficients), s.transparent, s.id, s.position};
+  }
+  for (const QuadricStatement& s : group.quadrics) {
+    shapes[s.id] = {real_half_space(HalfSpaceKind::quadric, s.coefficients), s.transparent, s.id, s.position};
+  }
+  return shapes;
+}
+
+class Walk {
+ public:
+  Walk(const BodyCensus& census, Diagnostics& diagnostics) : census_(census), diagnostics_(diagnostics) {}
+
+  void place(const Group& group, const Matrix4& inverse, const std::string& path) {
+    auto shapes = shapes_.find(&group);
+    if (shapes == shapes_.end()) shapes = shapes_.emplace(&group, shapes_of(group)).first;
+    PlacedGroup placed{group, shapes->second, inverse, path, {}};
+    for (const Placement& placement : group.placements) {
+      std::visit([&](const auto& p) { place_one(p, placed); }, placement);
+    }
+  }
+
+  PlacedScene take() { return std::move(result_); }
+
+ private:
+  struct PlacedGroup {
+    const Group& group;
+    const GroupShapes& shapes;
+    const Matrix4& inverse;
+    const std::string& path;
+    std::unordered_map<std::string, std::size_t> placed;  // half-spaces that a body has used, by id
+  };
+
+  void place_one(const BodyStatement& body, PlacedGroup& group) {
+    PlacedBody placed{group.path + body.id, body.position, {}};
+    for (const HalfSpaceReference& reference : body.half_spaces) {
+      placed.uses.push_back({half_space_of(reference, group), reference.complement});
+    }
+    result_.bodies.push_back(std::move(placed));
+  }
+
+  std::size_t half_space_of(const HalfSpaceReference& reference, PlacedGroup& group) {
+    const auto [entry, is_new] = group.placed.emplace(reference.id, result_.half_spaces.size());
+    if (is_new) {
+      PlacedHalfSpace h = group.shapes.at(reference.id);
+      h.shape = normalised(transformed(h.shape, group.inverse));
+      if (!finite(h.shape)) report_overflow(h);
+      result_.half_spaces.push_back(std::move(h));
+    }
+    return entry->second;
+  }
+
+  void place_one(const InstanceStatement& instance, PlacedGroup& group) {
+    if (census_.is_empty(instance.definition)) return;
+    const auto own = inverse_of(instance.transforms);
+    if (!own) return report_flat(instance.id, instance.position);
+    place(census_.definition(instance.definition), product(group.inverse, *own), group.path + instance.id + "/");
+  }
+
+  // (init delta^k P)^-1 = P^-1 (delta^-1)^k init^-1 for the parent's P.
+  void place_one(const ArrayStatement& array, PlacedGroup& group) {
+    if (census_.is_empty(array.definition)) return;
+    const auto first = inverse_of(array.initial);
+    const auto step = inverse_of(array.delta);
+    if (!first || !step) return report_flat(array.id, array.position);
+    Matrix4 before = group.inverse;
+    for (std::uint32_t k = 0; k < array.count; ++k) {
+      place(census_.definition(array.definition), product(before, *first),
+            group.path + array.id + "[" + std::to_string(k) + "]/");
+      before = product(before, *step);
+    }
+  }
+
+  void report_flat(const std::string& id, const SourcePosition& position) {
+    diagnostics_.push_back(
+        {Severity::error, position, "'" + id + "' scales by 0, which flattens its solids; use a factor other than 0"});
+  }
+
+  // One message tells it: every copy of the same statement would repeat it.
+  void report_overflow(const PlacedHalfSpace& h) {
+    if (std::exchange(overflowed_, true)) return;
+    diagnostics_.push_back({Severity::error, h.position,
+                            "the transforms that place '" + h.name +
+                                "' grow or shrink it beyond 10^4900; use milder factors or fewer copies"});
+  }
+
+  const BodyCensus& census_;
+  Diagnostics& diagnostics_;
+  PlacedScene result_;
+  std::unordered_map<const Group*, GroupShapes> shapes_;
+  bool overflowed_ = false;
+};
+
+}  // namespace
+
+PlacedScene place_bodies(const Scene& scene, Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.size();
+  const BodyCensus census(scene, diagnostics);
+  if (diagnostics.size() != before) return {};
+  Walk walk(census, diagnostics);
+  walk.place(scene.top, identity_matrix, "");
+  return walk.take();
+}
+
+}  // namespace halfspace

@@ -1,0 +1,309 @@
+#include "host/flatten/quantise.hpp"
+
+#include <functional>
+#include <vector>
+
+#include "host/flatten/rational.hpp"
+#include "host/flatten/spectrum.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr int scale_limit = 400;      // bits; a needle of 1 : 10^6 needs about 60
+constexpr int small_plane_bits = 30;  // exact proportions up to here are taken as they are
+constexpr int small_quadric_bits = 40;
+// A part that counts as 0 although it was there (spectrum.hpp, zero_bits), and a proportion that was taken for exact
+// (rational.hpp), move a surface by no more than these parts of the box, even at a double root.
+constexpr int dropped_part_bits = 36;
+
+// The box about an integer origin: every coordinate of it is within `half` of 0.
+struct LocalBox {
+  IntegerPoint origin;
+  Vector3 half{};
+  Real radius = 0;  // of the largest coordinate
+  Real target = 0;
+};
+
+Real target_for(Real across) {
+  const Real ratio = larger(1, across / 1024);
+  return smaller(power_of_two(-14) * ratio * ratio, power_of_two(-4));
+}
+
+LocalBox local_box(const Box& box) {
+  LocalBox local;
+  Vector3 centre{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    centre[i] = nearest_whole((box.low[i] + box.high[i]) / 2);
+    local.half[i] = larger(larger(box.high[i] - centre[i], centre[i] - box.low[i]), 1);
+  }
+  local.origin = round_to_integers(centre);
+  local.radius = largest(local.half);
+  local.target = target_for(2 * larger(local.half[0], local.half[1]));
+  return local;
+}
+
+// The largest value of a linear form in the box.
+Real reach(const Vector4& form, const Vector3& half) {
+  Real total = magnitude(form[3]);
+  for (std::size_t i = 0; i < 3; ++i) total += magnitude(form[i]) * half[i];
+  return total;
+}
+
+Real quadric_reach(const std::array<Real, 10>& c, const Vector3& half) {
+  const Vector4 h{half[0], half[1], half[2], 1};
+  Real total = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) total += magnitude(c[quadric_index[i][j]]) * h[i] * h[j];
+  }
+  return total;
+}
+
+struct RoundedLinear {
+  IntegerLinear integers;
+  Vector4 residual{};  // integers - what they stand for
+};
+
+RoundedLinear rounded(const Vector4& form, Real scale) {
+  RoundedLinear result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    result.integers[i] = round_to_integer(form[i] * scale);
+    result.residual[i] = to_real(result.integers[i]) - form[i] * scale;
+  }
+  return result;
+}
+
+// Both on the local frame, `h` normalised. The proportions of h where these are small integers.
+std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& box) {
+  const std::size_t count = coefficient_count(h.kind);
+  const bool is_plane = h.kind == HalfSpaceKind::plane;
+  const auto integers =
+      small_proportions(std::span(h.c).first(count), is_plane ? small_plane_bits : small_quadric_bits);
+  if (!integers) return std::nullopt;
+  Quantised result{{h.kind, {}}, 0};
+  Real most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    result.form.c[i] = (*integers)[i];
+    most = larger(most, magnitude(to_real((*integers)[i])));
+  }
+  bool is_exact = true;
+  for (std::size_t i = 0; i < count; ++i) is_exact = is_exact && to_real(result.form.c[i]) == h.c[i] * most;
+  if (!is_exact) result.bound = box.radius * power_of_two(-dropped_part_bits);
+  return result;
+}
+
+// The least power of two that `attempt` makes something of.
+std::optional<Quantised> least_scale(const std::function<std::optional<Quantised>(Real)>& attempt) {
+  for (int bits = 0; bits < scale_limit; ++bits) {
+    if (auto result = attempt(power_of_two(bits))) return result;
+  }
+  return std::nullopt;
+}
+
+std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
+  const Vector3 normal{h.c[0], h.c[1], h.c[2]};
+  const Real most = largest(normal);
+  if (most == 0) {  // everything or nothing: there is no surface
+    Quantised result{{h.kind, {}}, 0};
+    result.form.c[3] = h.c[3] < 0 ? -1 : (h.c[3] > 0 ? 1 : 0);
+    return result;
+  }
+  const Vector4 form{h.c[0] / most, h.c[1] / most, h.c[2] / most, h.c[3] / most};
+  const Real size = length({form[0], form[1], form[2]});
+  return least_scale([&](Real scale) -> std::optional<Quantised> {
+    const RoundedLinear r = rounded(form, scale);
+    const Real bound = reach(r.residual, box.half) / (scale * size);
+    if (bound > box.target) return std::nullopt;
+    Quantised result{{h.kind, {}}, bound};
+    for (std::size_t i = 0; i < 4; ++i) result.form.c[i] = r.integers[i];
+    return result;
+  });
+}
+
+// An integer centre in 1/scale dot and an integer squared radius, whose sign is kept: |scale x - m|^2 = r2.
+std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
+  const Real weight = reduced.squares[0].weight;
+  Vector3 centre{};
+  for (const SquareTerm& term : reduced.squares) {
+    centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
+  }
+  const Real square = -reduced.constant() / weight;
+  return least_scale([&](Real scale) -> std::optional<Quantised> {
+    const mpz_class r2 = round_to_integer(square * scale * scale);
+    if ((square > 0) != (r2 > 0) || (square < 0) != (r2 < 0)) return std::nullopt;
+    const IntegerPoint m = round_to_integers(scaled(centre, scale));
+    Vector3 off{};
+    for (std::size_t i = 0; i < 3; ++i) off[i] = to_real(m[i]) / scale - centre[i];
+    Real bound = length(off);
+    if (square > 0) bound += magnitude(square_root(to_real(r2)) / scale - square_root(square));
+    if (bound > box.target) return std::nullopt;
+    const int sign = weight < 0 ? -1 : 1;
+    Quantised result{{HalfSpaceKind::quadric, {}}, bound};
+    const mpz_class side = round_to_integer(scale);
+    for (std::size_t i = 0; i < 3; ++i) {
+      IntegerLinear linear;
+      linear[i] = side;
+      linear[3] = -m[i];
+      add_square(result.form, sign, linear);
+    }
+    result.form.c[9] -= sign * r2;
+    return result;
+  });
+}
+
+// The least of |gradient / 2|^2 on a central quadric sum w l^2 = -constant is |constant| times the least weight of
+// the sign that can balance the constant; 0 where there is none, and no surface either.
+Real least_gradient(const ReducedQuadric& reduced) {
+  Real least = 0;
+  for (std::size_t i = 0; i < reduced.count; ++i) {
+    const Real weight = reduced.squares[i].weight;
+    if ((weight < 0) == (reduced.constant() < 0)) continue;
+    least = least == 0 ? magnitude(weight) : smaller(least, magnitude(weight));
+  }
+  return square_root(least * magnitude(reduced.constant()));
+}
+
+// Ellipsoids and hyperboloids: ten rounded coefficients. An error that is a fraction of the constant keeps the sign
+// of the constant about the rounded centre, so the kind survives.
+std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQuadric& reduced, const LocalBox& box) {
+  const Real gradient = least_gradient(reduced);
+  return least_scale([&](Real scale) -> std::optional<Quantised> {
+    Quantised result{{h.kind, {}}, 0};
+    std::array<Real, 10> residual{};
+    for (std::size_t i = 0; i < 10; ++i) {
+      result.form.c[i] = round_to_integer(h.c[i] * scale);
+      residual[i] = to_real(result.form.c[i]) - h.c[i] * scale;
+    }
+    const Real error = quadric_reach(residual, box.half) / scale;
+    if (error > magnitude(reduced.constant()) / 4) return std::nullopt;
+    result.bound = gradient == 0 ? 0 : error / (2 * gradient);
+    if (result.bound > box.target) return std::nullopt;
+    return result;
+  });
+}
+
+// A surface given by its squares and rest, with every form rounded on its own: rank and kind survive.
+class SquaresAttempt {
+ public:
+  SquaresAttempt(const ReducedQuadric& reduced, const LocalBox& box) : reduced_(reduced), box_(box) {
+    for (std::size_t i = 0; i < reduced.count; ++i) {
+      const Real weight = magnitude(reduced.squares[i].weight);
+      least_ = i == 0 ? weight : smaller(least_, weight);
+    }
+  }
+
+  // The form of the least weight gets `scale`, and the value scale^2 / least weight.
+  std::optional<Quantised> operator()(Real scale) const {
+    Quantised result{{HalfSpaceKind::quadric, {}}, 0};
+    Real square = add_squares(scale, result.form);
+    if (reduced_.linear) {
+      const Real moved = add_linear_rest(scale * scale / least_, result.form);
+      square += moved * moved;
+    } else if (reduced_.constant() != 0) {
+      const auto moved = add_constant(scale * scale / least_, result.form);
+      if (!moved) return std::nullopt;
+      result.bound = *moved;
+    }
+    result.bound += square_root(square) + box_.radius * power_of_two(-dropped_part_bits);
+    if (result.bound > box_.target) return std::nullopt;
+    return result;
+  }
+
+ private:
+  // Returns the square of the displacement: the forms' normals are orthonormal.
+  Real add_squares(Real scale, IntegerForm& form) const {
+    Real square = 0;
+    for (std::size_t i = 0; i < reduced_.count; ++i) {
+      const SquareTerm& term = reduced_.squares[i];
+      const Real own = scale * square_root(magnitude(term.weight) / least_);
+      const RoundedLinear r = rounded(term.form, own);
+      add_square(form, term.weight < 0 ? -1 : 1, r.integers);
+      const Real moved = reach(r.residual, box_.half) / own;
+      square += moved * moved;
+    }
+    return square;
+  }
+
+  // The rest's normal goes in doubled (2G, 2H, 2J), so half of it is rounded.
+  Real add_linear_rest(Real scale, IntegerForm& form) const {
+    const Vector4& rest = reduced_.rest;
+    const RoundedLinear half = rounded({rest[0] / 2, rest[1] / 2, rest[2] / 2, 0}, scale);
+    const mpz_class constant = round_to_integer(rest[3] * scale);
+    for (std::size_t i = 0; i < 3; ++i) form.c[6 + i] += half.integers[i];
+    form.c[9] += constant;
+    const Vector4 residual{2 * half.residual[0], 2 * half.residual[1], 2 * half.residual[2],
+                           to_real(constant) - rest[3] * scale};
+    return reach(residual, box_.half) / (scale * length({rest[0], rest[1], rest[2]}));
+  }
+
+  // None where the constant would vanish.
+  std::optional<Real> add_constant(Real scale, IntegerForm& form) const {
+    const mpz_class constant = round_to_integer(reduced_.constant() * scale);
+    if (constant == 0) return std::nullopt;
+    form.c[9] += constant;
+    const Real gradient = least_gradient(reduced_);
+    if (gradient == 0) return 0;
+    return magnitude(to_real(constant) / scale - reduced_.constant()) / (2 * gradient);
+  }
+
+  const ReducedQuadric& reduced_;
+  const LocalBox& box_;
+  Real least_ = 0;
+};
+
+bool is_sphere(const ReducedQuadric& reduced) {
+  if (reduced.count < 3) return false;
+  const auto& [a, b, c] = reduced.squares;
+  const Real near = magnitude(a.weight) * power_of_two(-zero_bits);
+  return magnitude(a.weight - b.weight) <= near && magnitude(a.weight - c.weight) <= near;
+}
+
+// No second-order part: 2 (Gx + Hy + Jz) + K, of which the plane is (G, H, J, K/2).
+std::optional<Quantised> quantise_plane_like(const ReducedQuadric& reduced, const LocalBox& box) {
+  const Vector4& rest = reduced.rest;
+  auto plane = quantise_plane({HalfSpaceKind::plane, {rest[0], rest[1], rest[2], rest[3]}}, box);
+  if (!plane) return std::nullopt;
+  Quantised result{{HalfSpaceKind::quadric, {}}, plane->bound};
+  for (std::size_t i = 0; i < 3; ++i) result.form.c[6 + i] = plane->form.c[i];
+  result.form.c[9] = 2 * plane->form.c[3];
+  return result;
+}
+
+std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox& box) {
+  const ReducedQuadric reduced = reduce(h, box.radius);
+  if (reduced.count == 0) return quantise_plane_like(reduced, box);
+  if (is_sphere(reduced)) return quantise_sphere(reduced, box);
+  if (reduced.count == 3 && reduced.constant() != 0) return quantise_central(h, reduced, box);
+  return least_scale(SquaresAttempt(reduced, box));
+}
+
+}  // namespace
+
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Box& box) {
+  const LocalBox local = local_box(box);
+  Vector3 origin{};
+  for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
+  const RealHalfSpace h = normalised(seen_from(half_space, origin));
+  auto result = take_exactly(h, local);
+  if (!result) result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local);
+  if (!result) return std::nullopt;
+  const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
+  result->form = primitive(seen_from(result->form, back));
+  return result;
+}
+
+Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box) {
+  const LocalBox local = local_box(box);
+  Vector3 origin{};
+  for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
+  const RealHalfSpace a = seen_from(to_real(plane), origin);
+  const RealHalfSpace b = seen_from(truth, origin);
+  const Real a_size = length({a.c[0], a.c[1], a.c[2]});
+  Real b_size = length({b.c[0], b.c[1], b.c[2]});
+  if (a_size == 0 || b_size == 0) return 0;
+  if (a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] < 0) b_size = -b_size;
+  Vector4 apart{};
+  for (std::size_t i = 0; i < 4; ++i) apart[i] = a.c[i] / a_size - b.c[i] / b_size;
+  return reach(apart, local.half);
+}
+
+}  // namespace halfspace

@@ -1,0 +1,26 @@
+// quantise.hpp - one half-space of the page becomes integers that are what it was: classified, then rounded.
+// Frame    Dot frame: x, y name dot centres (page - 1/2), z page depth; all in dots.
+// Bound    No point of the surface within the box is moved by more than `bound` dots; docs/flatten.md has the proof.
+// Target   2^-14 dot for boxes up to 1024 dots across, growing with the square of the size: 2^-10 at 4096 dots,
+//          1/16 at 32767. The integers are the smallest power-of-two scale that meets it.
+#pragma once
+
+#include <optional>
+
+#include "host/flatten/extent.hpp"
+#include "host/flatten/integer_form.hpp"
+
+namespace halfspace {
+
+struct Quantised {
+  IntegerForm form;  // in the dot frame of the page
+  Real bound = 0;
+};
+
+// None where no scale below 2^400 meets the target. The half-space is finite, the box is finite.
+[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Box& box);
+
+// How far the integer plane lies from the true one within a box, whichever way either is written.
+[[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box);
+
+}  // namespace halfspace
