@@ -49,12 +49,14 @@ bool is_reserved(std::string_view word) { return find_statement(word).has_value(
 
 std::vector<std::string_view> statement_words() {
   std::vector<std::string_view> words;
+  words.reserve(statements.size());
   for (const auto& [name, statement] : statements) words.push_back(name);
   return words;
 }
 
 std::vector<std::string_view> view_words() {
   std::vector<std::string_view> words;
+  words.reserve(view_keys.size());
   for (const ViewKeyRule& rule : view_keys) words.push_back(rule.word);
   return words;
 }

@@ -11,17 +11,7 @@
 
 namespace halfspace {
 
-enum class Statement : std::uint8_t {
-  plane,
-  quadric,
-  body,
-  definition,
-  enddef,
-  instance,
-  array,
-  light,
-  view
-};
+enum class Statement : std::uint8_t { plane, quadric, body, definition, enddef, instance, array, light, view };
 
 [[nodiscard]] std::optional<Statement> find_statement(std::string_view word);
 

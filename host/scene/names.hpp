@@ -16,8 +16,7 @@ namespace halfspace {
 class NameSpace {
  public:
   // Reports a second declaration, naming the first's position.
-  void declare(const std::string& id, const SourcePosition& position, std::string_view kind,
-               DiagnosticLog& log);
+  void declare(const std::string& id, const SourcePosition& position, std::string_view kind, DiagnosticLog& log);
   [[nodiscard]] bool contains(const std::string& id) const { return declared_.count(id) != 0; }
   [[nodiscard]] std::vector<std::string_view> all() const;
 

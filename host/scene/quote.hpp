@@ -15,7 +15,6 @@ namespace halfspace {
 
 // "; did you mean 'x'?" for the candidate that is at most two letters off, or "".
 // Cost   Declines more than 1000 candidates and words over 40 bytes, so that a wrong scene stays cheap.
-[[nodiscard]] std::string did_you_mean(std::string_view written,
-                                       const std::vector<std::string_view>& candidates);
+[[nodiscard]] std::string did_you_mean(std::string_view written, const std::vector<std::string_view>& candidates);
 
 }  // namespace halfspace

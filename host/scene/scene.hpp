@@ -73,8 +73,7 @@ struct ShearTransform {  // =vxy: along x, moved y: y' = y + amount * x
   Axis moved;
   Number amount;
 };
-using Transform =
-    std::variant<TranslateTransform, ScaleTransform, ScaleAllTransform, RotateTransform, ShearTransform>;
+using Transform = std::variant<TranslateTransform, ScaleTransform, ScaleAllTransform, RotateTransform, ShearTransform>;
 
 struct InstanceStatement {
   std::string id;

@@ -21,9 +21,7 @@ class TokenStream {
   [[nodiscard]] bool at_symbol(char symbol) const;
   [[nodiscard]] bool at_statement_word() const;
   [[nodiscard]] bool at_number() const;  // also at "nan" and the like, which take_number() refuses
-  [[nodiscard]] SourcePosition position_of(const Token& token) const {
-    return {file_, token.line, token.column};
-  }
+  [[nodiscard]] SourcePosition position_of(const Token& token) const { return {file_, token.line, token.column}; }
   [[nodiscard]] SourcePosition position() const { return position_of(current_); }
   Token take();
 

@@ -10,7 +10,6 @@
 namespace halfspace {
 
 // As many as there are, in order. False after an error.
-[[nodiscard]] bool read_transforms(TokenStream& tokens, DiagnosticLog& log,
-                                   std::vector<Transform>& transforms);
+[[nodiscard]] bool read_transforms(TokenStream& tokens, DiagnosticLog& log, std::vector<Transform>& transforms);
 
 }  // namespace halfspace

@@ -186,6 +186,7 @@ TEST(Errors, AllOfATextComeInOneRunInItsOrder) {
       "light .5 0 0 0; instance i (e); quadric c <1>; oops;\n"
       "enddef; array (f =sx 0 =sy 0) 0 =sz 0;\n");
   std::vector<std::string> places;
+  places.reserve(found.size());
   for (const std::string& line : found) places.push_back(line.substr(5, line.find(": ") - 5));
   EXPECT_EQ(places, (std::vector<std::string>{"1:11", "2:14", "2:18", "2:22", "3:1", "3:18", "4:10", "4:29", "4:41",
                                               "4:45", "4:48", "5:1", "5:16", "5:22", "5:28", "5:31", "5:37"}))
