@@ -48,8 +48,8 @@ struct ConicArc {
     branch = start.branch;
     std::array<Int, 6> q;
     for (Int& c : q) c = read_coefficient<Int>(in);
-    form = SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x,
-                                  start.y - start.origin_y);
+    form =
+        SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, start.y - start.origin_y);
   }
   // The sign of 2 A x + B y + D: twice the register x is r(x+1) - r(x-1) + 2A.
   [[nodiscard]] int slope_sign() const { return sign_of(form.x + form.x - form.xx); }

@@ -107,15 +107,14 @@ DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y)
   return s;
 }
 
-DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a,
-                       std::int32_t b, Counters& counters)
+DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
+                       Counters& counters)
     : f_(f), g_(g), y_(y), counters_(counters) {
   push(a, b, 0);
 }
 
 void DepthOrder::push(std::int32_t a, std::int32_t b, int known) {
-  stack_[depth_++] = {static_cast<std::int16_t>(a), static_cast<std::int16_t>(b),
-                      static_cast<std::int8_t>(known)};
+  stack_[depth_++] = {static_cast<std::int16_t>(a), static_cast<std::int16_t>(b), static_cast<std::int8_t>(known)};
 }
 
 DepthSample DepthOrder::sample(const ActiveFace& face, std::int32_t x) {

@@ -81,8 +81,8 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
 
 class Engine {
  public:
-  Engine(const JobHeader& header, const Pools& pools, JobReader& in, BandSink& sink,
-         const DrawOptions& options, ArcModules modules, std::int32_t band_rows, DrawResult& result)
+  Engine(const JobHeader& header, const Pools& pools, JobReader& in, BandSink& sink, const DrawOptions& options,
+         ArcModules modules, std::int32_t band_rows, DrawResult& result)
       : h_(header),
         p_(pools),
         in_(in),
@@ -132,9 +132,7 @@ class Engine {
     const std::int32_t number = in_.number_in(-1, static_cast<std::int32_t>(p_.arcs.size()) - 1);
     return number < 0 ? no_slot : static_cast<std::uint16_t>(number);
   }
-  std::int16_t last_line(std::int32_t y) {
-    return static_cast<std::int16_t>(in_.number_in(y, h_.page.height - 1));
-  }
+  std::int16_t last_line(std::int32_t y) { return static_cast<std::int16_t>(in_.number_in(y, h_.page.height - 1)); }
 
   void read_records(std::int32_t y) {
     while (result_.status == DrawStatus::ok && type_ != Record::end && enter_ <= y) {
@@ -236,10 +234,8 @@ class Engine {
   // The dots of a cell on the current line: closed between its arcs.
   void place(CellSlot& cell, std::int32_t y) {
     if (!cell.fixed) {
-      cell.x0 =
-          cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.arcs[cell.left].crossing.at_or_right;
-      cell.x1 =
-          static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
+      cell.x0 = cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.arcs[cell.left].crossing.at_or_right;
+      cell.x1 = static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
     }
     const ActiveFace& face = p_.faces[cell.face];
     if (face.kind != FaceKind::rational) return;
@@ -338,15 +334,9 @@ std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
   return counting.used();
 }
 
-DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
-                ArcModules modules) {
+DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,
+                const DrawOptions& options, ArcModules modules) {
   DrawResult result;
-  JobReader in(job);
-  JobHeader header;
-  if (!read_header(in, header)) {
-    result.status = DrawStatus::not_a_job;
-    return result;
-  }
   result.band_rows = choose_band_rows(header, options.band_rows, memory.size());
   result.need = static_cast<std::int64_t>(memory_needed(header, result.band_rows));
   result.have = static_cast<std::int64_t>(memory.size());
@@ -358,6 +348,18 @@ DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, co
   const Pools pools = carve(arena, header, result.band_rows);
   Engine(header, pools, in, sink, options, modules, result.band_rows, result).run();
   return result;
+}
+
+DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
+                ArcModules modules) {
+  JobReader in(job);
+  JobHeader header;
+  if (!read_header(in, header)) {
+    DrawResult result;
+    result.status = DrawStatus::not_a_job;
+    return result;
+  }
+  return draw(in, header, sink, memory, options, modules);
 }
 
 }  // namespace halfspace

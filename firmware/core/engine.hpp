@@ -18,7 +18,7 @@
 
 #include "firmware/core/arc.hpp"
 #include "firmware/core/depth.hpp"
-#include "firmware/core/job_format.hpp"
+#include "firmware/core/job_reader.hpp"
 
 namespace halfspace {
 
@@ -54,8 +54,12 @@ struct DrawResult {
 // Bytes of memory that a job needs with bands of `band_rows` lines.
 [[nodiscard]] std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows);
 
-// Draws one job. `memory` must be aligned to 8 bytes.
-[[nodiscard]] DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory,
+// Draws the job whose header `in` has just delivered. `memory` must be aligned to 8 bytes.
+[[nodiscard]] DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,
                               const DrawOptions& options, ArcModules modules);
+
+// The same from a job's first byte.
+[[nodiscard]] DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
+                              ArcModules modules);
 
 }  // namespace halfspace

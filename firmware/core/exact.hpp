@@ -19,8 +19,8 @@ inline constexpr int exact_bits = 768;
 [[nodiscard]] int compare_depth(const ActiveFace& f, const ActiveFace& g, std::int32_t x, std::int32_t y);
 
 // True when the face reaches level k, 0 <= k < levels, at page dot (x, y): (levels - 1) * intensity >= k.
-[[nodiscard]] bool reaches_level(const ActiveFace& face, const Lighting& lighting, std::int32_t levels,
-                                 std::int32_t k, std::int32_t x, std::int32_t y);
+[[nodiscard]] bool reaches_level(const ActiveFace& face, const Lighting& lighting, std::int32_t levels, std::int32_t k,
+                                 std::int32_t x, std::int32_t y);
 
 // A rational face has no point over the dots where b = 0.
 [[nodiscard]] bool is_absent(const ActiveFace& face, std::int32_t x, std::int32_t y);

@@ -10,8 +10,7 @@ namespace halfspace {
 // Proof: started above the root, Newton's iterates fall strictly until the floor is reached.
 constexpr std::uint32_t isqrt(std::uint64_t n) {
   if (n == 0) return 0;
-  if (n >= 0xfffffffe00000001ULL)
-    return 0xffffffffU;  // (2^32 - 1)^2 and above: the start below would be 2^32
+  if (n >= 0xfffffffe00000001ULL) return 0xffffffffU;  // (2^32 - 1)^2 and above: the start below would be 2^32
   std::uint64_t s = std::uint64_t{1} << ((std::bit_width(n) + 1) / 2);
   for (;;) {
     const std::uint64_t t = (s + n / s) / 2;

@@ -23,8 +23,7 @@ struct Page {
 
   // Bytes of one scan line in a band. Range: 1 .. 32767.
   [[nodiscard]] constexpr std::size_t row_bytes() const {
-    return format == DotFormat::bilevel ? (static_cast<std::size_t>(width) + 7) / 8
-                                        : static_cast<std::size_t>(width);
+    return format == DotFormat::bilevel ? (static_cast<std::size_t>(width) + 7) / 8 : static_cast<std::size_t>(width);
   }
 };
 

@@ -36,8 +36,8 @@ struct SecondOrder {
   Int xx, xy, yy;  // 2A, B, 2C: constant
 
   // A x^2 + B x y + C y^2 + D x + E y + F at (px, py).
-  static constexpr SecondOrder load(const Int& a, const Int& b, const Int& c, const Int& d, const Int& e,
-                                    const Int& f, std::int64_t px, std::int64_t py) {
+  static constexpr SecondOrder load(const Int& a, const Int& b, const Int& c, const Int& d, const Int& e, const Int& f,
+                                    std::int64_t px, std::int64_t py) {
     SecondOrder s{f, d + a, e + c, a + a, b, c + c};
     s.jump_x(px);
     s.jump_y(py);

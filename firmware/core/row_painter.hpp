@@ -28,8 +28,7 @@ class RowPainter {
   // Dots x0 .. x1, 0 <= x0 <= x1 < width, take a level.
   void fill(std::int32_t x0, std::int32_t x1, std::int32_t level) {
     if (page_.format == DotFormat::bilevel) {
-      BilevelRow(words_).fill(x0, x1,
-                              patterns_[static_cast<std::size_t>(level * cell_side + y_ % cell_side)]);
+      BilevelRow(words_).fill(x0, x1, patterns_[static_cast<std::size_t>(level * cell_side + y_ % cell_side)]);
     } else {
       auto* dots = reinterpret_cast<std::uint8_t*>(words_.data());
       for (std::int32_t x = x0; x <= x1; ++x) dots[x] = static_cast<std::uint8_t>(level);

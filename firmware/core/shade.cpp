@@ -78,8 +78,7 @@ Slice make_slice(const ActiveFace& f, const Lighting& lighting, std::int32_t y, 
     const Int g1 = Int(f.c[row[0]]);
     const Int g0 = g1 * lx + Int(f.c[row[1]]) * ly + Int(f.c[row[3]]);
     // d * gradient_j = (g1 x + g0)(d1 x + d0) + slope (p + s sqrt(D))
-    const Quadratic u{g1 * z.d1 + slope * z.p.u2, g1 * z.d0 + g0 * z.d1 + slope * z.p.u1,
-                      g0 * z.d0 + slope * z.p.u0};
+    const Quadratic u{g1 * z.d1 + slope * z.p.u2, g1 * z.d0 + g0 * z.d1 + slope * z.p.u1, g0 * z.d0 + slope * z.p.u0};
     const Int v = slope * Int(z.s);
     for (int i = 0; i < 3; ++i) {
       // The local frame's share of the page-frame matrix: gw(page) = gw(local) - o . g.
@@ -117,8 +116,7 @@ struct Registers {
   bool grazing = false;  // L = 0 on the whole span: a cylinder lit along its axis
 };
 
-Component make_component(const Quadratic& u, const Int& v, int shift, int h, std::int64_t n,
-                         std::int64_t root_error) {
+Component make_component(const Quadratic& u, const Int& v, int shift, int h, std::int64_t n, std::int64_t root_error) {
   Component c;
   const Int second = u.u2 + u.u2;
   c.u.r = scaled(u.u0, shift - 32);
@@ -130,8 +128,8 @@ Component make_component(const Quadratic& u, const Int& v, int shift, int h, std
   return c;
 }
 
-Registers make_registers(const ActiveFace& face, const Slice& slice, const Lighting& lighting,
-                         const LevelTable& table, std::int64_t n) {
+Registers make_registers(const ActiveFace& face, const Slice& slice, const Lighting& lighting, const LevelTable& table,
+                         std::int64_t n) {
   Registers r;
   const int d_bits = slice.discriminant.bits(n);
   r.root_shift = (d_bits - 2 * root_bits + 1) >> 1;
@@ -228,9 +226,7 @@ class JordanWalk {
 };
 
 // (t * a) >> 32 for a < 2^63: two 32-bit products.
-std::uint64_t scale_by(std::uint32_t t, std::uint64_t a) {
-  return t * (a >> 32) + ((t * (a & 0xffffffffU)) >> 32);
-}
+std::uint64_t scale_by(std::uint32_t t, std::uint64_t a) { return t * (a >> 32) + ((t * (a & 0xffffffffU)) >> 32); }
 
 // L and |N|^2 at a dot, with the bound of L^2 - t |N|^2 that a comparison must exceed.
 struct Light {
@@ -244,8 +240,8 @@ constexpr int yes = 1, no = 0, unsure = -1;
 
 class SpanShader {
  public:
-  SpanShader(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, std::int32_t y,
-             std::int32_t x0, std::int32_t x1, Counters& counters)
+  SpanShader(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, std::int32_t y, std::int32_t x0,
+             std::int32_t x1, Counters& counters)
       : face_(face),
         lighting_(lighting),
         table_(table),
@@ -333,8 +329,8 @@ class SpanShader {
 
   [[nodiscard]] int filter(const Light& light, std::int32_t k) const {
     if (light.l <= light.l_error) return light.l < -light.l_error ? no : unsure;
-    const auto difference = static_cast<std::int64_t>(light.l2) -
-                            static_cast<std::int64_t>(scale_by(table_.squares[k], light.n2));
+    const auto difference =
+        static_cast<std::int64_t>(light.l2) - static_cast<std::int64_t>(scale_by(table_.squares[k], light.n2));
     if (difference > light.margin) return yes;
     return difference < -light.margin ? no : unsure;
   }
@@ -394,8 +390,8 @@ LevelTable make_levels(const Lighting& lighting, std::int32_t levels, std::span<
   while ((std::int64_t{1} << (2 * table.light_bits)) <= l2) ++table.light_bits;
   const std::int64_t most = static_cast<std::int64_t>(levels - 1) * lighting.parallel;
   for (std::int32_t k = 0; k < levels; ++k) {
-    const std::int64_t t = static_cast<std::int64_t>(k) * lighting.unit -
-                           static_cast<std::int64_t>(levels - 1) * lighting.ambient;
+    const std::int64_t t =
+        static_cast<std::int64_t>(k) * lighting.unit - static_cast<std::int64_t>(levels - 1) * lighting.ambient;
     if (t <= 0) {
       table.ambient_level = k;
       squares[k] = 0;

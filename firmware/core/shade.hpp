@@ -34,8 +34,7 @@ struct LevelTable {
 };
 
 // Fills the table; `squares` must hold `levels` entries.
-[[nodiscard]] LevelTable make_levels(const Lighting& lighting, std::int32_t levels,
-                                     std::span<std::uint32_t> squares);
+[[nodiscard]] LevelTable make_levels(const Lighting& lighting, std::int32_t levels, std::span<std::uint32_t> squares);
 
 // Shades dots x0 .. x1 of scan line y, where `face` (root or rational) is visible.
 void shade_span(const ActiveFace& face, const Lighting& lighting, const LevelTable& table, Shader shader,

@@ -29,8 +29,7 @@ class Wide {
   static constexpr int limbs = Bits / limb_bits;
 
   constexpr Wide() = default;
-  constexpr Wide(
-      std::int64_t value) {  // NOLINT(google-explicit-constructor): a wider integer holds it exactly
+  constexpr Wide(std::int64_t value) {  // NOLINT(google-explicit-constructor): a wider integer holds it exactly
     const auto bits = static_cast<std::uint64_t>(value);
     for (int i = 0; i < limbs; ++i) {
       const int shift = i * limb_bits;
