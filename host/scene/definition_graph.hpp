@@ -1,5 +1,4 @@
-// definition_graph.hpp - which definition draws which: none unknown, none inside itself, none nested too
-// deep.
+// definition_graph.hpp - which definition draws which: none unknown, inside itself or nested too deep.
 #pragma once
 
 #include "host/scene/names.hpp"

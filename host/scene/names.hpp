@@ -41,8 +41,7 @@ struct DefinitionUse {
 };
 
 // A scene whose references are not yet checked and whose missing ids are still empty.
-// A statement with an error is left out of `scene`, but its id is declared: later uses of it are not errors
-// too.
+// A statement with an error is left out of `scene`, but its id is declared, so that its uses are no errors.
 struct SceneDraft {
   Scene scene;
   std::vector<GroupNames> group_names = std::vector<GroupNames>(1);  // as in group()

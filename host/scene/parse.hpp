@@ -21,8 +21,7 @@ struct ParseResult {
   Diagnostics diagnostics;  // in the order of the files and their text
 };
 
-// Several files make one scene: an id of one may be used in another. A definition ends in the file it starts
-// in.
+// Several files make one scene: an id of one may be used in another. A definition ends in its file.
 [[nodiscard]] ParseResult parse_uniquadrix(std::span<const SourceText> files);
 
 }  // namespace halfspace

@@ -19,8 +19,7 @@ bool all_zero(const Number* first, std::size_t count) {
   return std::all_of(first, first + count, [](const Number& n) { return n.value == 0; });
 }
 
-// Each read_ function takes a statement up to its ';' and is false after an error that leaves its rest
-// unread.
+// Each read_ function takes a statement up to its ';'; false after an error that leaves its rest unread.
 class StatementReader {
  public:
   StatementReader(const std::string& file, std::string_view text, SceneDraft& draft, DiagnosticLog& log)
@@ -37,7 +36,7 @@ class StatementReader {
       }
     }
     if (tokens_.truncated()) draft_.complete = false;
-    if (group_ != 0 && !tokens_.truncated() && !log_.full()) report_open_definition(" at the end of the file");
+    if (group_ != 0 && !tokens_.truncated() && !log_.full()) report_open_definition();
   }
 
  private:
@@ -110,12 +109,16 @@ class StatementReader {
 
   // --- half-spaces and bodies ---
 
+  template <typename HalfSpace>
+  bool read_half_space(HalfSpace& half_space, std::string_view owner, std::string_view letters) {
+    half_space.position = position_;
+    return read_new_id(names().half_spaces, "plane or quadric", half_space.id) &&
+           read_coefficients(owner, letters, half_space.coefficients) && read_opacity(half_space.transparent);
+  }
+
   bool read_plane() {
     PlaneStatement plane;
-    plane.position = position_;
-    if (!read_new_id(names().half_spaces, "plane or quadric", plane.id)) return false;
-    if (!read_coefficients("a plane", "A B C D", plane.coefficients)) return false;
-    if (!read_opacity(plane.transparent)) return false;
+    if (!read_half_space(plane, "a plane", "A B C D")) return false;
     if (is_good() && all_zero(plane.coefficients.data(), 3)) {
       log_.error(position_, "this plane has no direction; one of A B C must not be 0");
     }
@@ -125,10 +128,7 @@ class StatementReader {
 
   bool read_quadric() {
     QuadricStatement quadric;
-    quadric.position = position_;
-    if (!read_new_id(names().half_spaces, "plane or quadric", quadric.id)) return false;
-    if (!read_coefficients("a quadric", "A B C D E F G H J K", quadric.coefficients)) return false;
-    if (!read_opacity(quadric.transparent)) return false;
+    if (!read_half_space(quadric, "a quadric", "A B C D E F G H J K")) return false;
     if (is_good() && all_zero(quadric.coefficients.data(), 9)) {
       log_.error(position_, "this quadric has no surface; one of A B C D E F G H J must not be 0");
     }
@@ -142,7 +142,7 @@ class StatementReader {
     if (!read_new_id(names().placements, "body, instance or array", body.id)) return false;
     const char closing = tokens_.take_opening();
     if (closing == 0) return false;
-    while (tokens_.at_symbol('!') || tokens_.at(TokenKind::word)) {
+    while (tokens_.at_symbol('!') || (tokens_.at(TokenKind::word) && !tokens_.at_next_statement())) {
       if (!read_half_space_reference(body)) return false;
     }
     if (!tokens_.take_closing(closing, "the id of a plane or quadric, '!' or ")) return false;
@@ -169,7 +169,7 @@ class StatementReader {
     if (group_ != 0) {
       log_.error(position_, "a definition cannot stand in another; end " + name_of_open_definition() +
                                 " with 'enddef;' before this line");
-      unmatched_enddefs_ = 1;
+      is_enddef_due_ = true;
     }
     draft_.scene.definitions.push_back({{}, {}, {}, {}, position_});
     draft_.group_names.emplace_back();
@@ -178,10 +178,9 @@ class StatementReader {
   }
 
   bool read_enddef() {
-    if (group_ == 0 && unmatched_enddefs_ == 0) {
+    if (group_ == 0 && !std::exchange(is_enddef_due_, false)) {
       log_.error(position_, "there is no definition to end here; remove this 'enddef;'");
     }
-    if (group_ == 0) unmatched_enddefs_ = 0;
     group_ = 0;
     return true;
   }
@@ -191,9 +190,9 @@ class StatementReader {
     return (group().id.empty() ? std::string("the one") : quote(group().id)) + line;
   }
 
-  void report_open_definition(std::string_view where) {
+  void report_open_definition() {
     log_.error(group().position,
-               "this definition is still open" + std::string(where) + "; write 'enddef;' after its last statement");
+               "this definition is still open at the end of the file; write 'enddef;' after its last statement");
   }
 
   // "(definition transforms)"
@@ -300,10 +299,10 @@ class StatementReader {
   TokenStream tokens_;
   SceneDraft& draft_;
   DiagnosticLog& log_;
-  std::size_t group_ = 0;      // where statements go: SceneDraft::group
-  int unmatched_enddefs_ = 0;  // 1 after a nested definition: its outer enddef is not a second error
-  SourcePosition position_;    // of the statement's first word
-  int errors_before_ = 0;      // the statement
+  std::size_t group_ = 0;       // where statements go: SceneDraft::group
+  bool is_enddef_due_ = false;  // after a nested definition: the enddef of its outer one is not a second error
+  SourcePosition position_;     // of the statement's first word
+  int errors_before_ = 0;       // before the statement
 };
 
 }  // namespace

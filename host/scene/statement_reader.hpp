@@ -1,6 +1,6 @@
 // statement_reader.hpp - reads the statements of one file into the scene draft.
-// Errors   Each is reported where it lies and reading goes on at the next statement, so that one run finds
-// all. Source   Ressler 1985, 2.1.
+// Errors   Each is reported where it lies and reading goes on at the next statement, so that one run finds all.
+// Source   Ressler 1985, 2.1.
 #pragma once
 
 #include <string>

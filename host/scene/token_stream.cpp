@@ -1,7 +1,6 @@
 #include "host/scene/token_stream.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <variant>
 
@@ -79,11 +78,11 @@ bool TokenStream::fail(const std::string& message) {
 
 bool TokenStream::take_optional_id(std::string& id) {
   if (at(TokenKind::number)) return fail_expected("an id, which starts with a letter, '#' or '_'");
-  return !at(TokenKind::word) || take_id("", id);
+  return !at(TokenKind::word) || take_id("the rest of the statement", id);
 }
 
 bool TokenStream::take_id(std::string_view what, std::string& id) {
-  if (!at(TokenKind::word)) return fail_expected(what);
+  if (!at(TokenKind::word) || at_next_statement()) return fail_expected(what);
   if (is_reserved(current_.text)) {
     log_.error(position(), quote(current_.text) + " is a word of the language; choose another id");
     take();  // else recovery could take it for the next statement
@@ -140,7 +139,7 @@ void TokenStream::end_statement() {
 
 void TokenStream::skip_statement() {
   while (!at(TokenKind::end)) {
-    if (at_statement_word() && at_line_start()) return;
+    if (at_next_statement()) return;
     if (take().text == ";") return;
   }
 }

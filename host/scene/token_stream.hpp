@@ -20,6 +20,8 @@ class TokenStream {
   [[nodiscard]] bool at(TokenKind kind) const { return current_.kind == kind; }
   [[nodiscard]] bool at_symbol(char symbol) const;
   [[nodiscard]] bool at_statement_word() const;
+  // At a statement word that starts a line: what came before was not ended.
+  [[nodiscard]] bool at_next_statement() const { return at_line_start() && at_statement_word(); }
   [[nodiscard]] bool at_number() const;  // also at "nan" and the like, which take_number() refuses
   [[nodiscard]] SourcePosition position_of(const Token& token) const { return {file_, token.line, token.column}; }
   [[nodiscard]] SourcePosition position() const { return position_of(current_); }
@@ -38,8 +40,7 @@ class TokenStream {
 
   // A wrong number is reported and counts as 0, so that the rest of the statement is still read.
   Number take_number();
-  // Exactly `count` numbers; `owner` and `meaning` name them in the error. False after an error in their
-  // count.
+  // Exactly `count` numbers; `owner` and `meaning` name them in the error. False if their count is wrong.
   [[nodiscard]] bool take_numbers(std::size_t count, std::string_view owner, std::string_view meaning,
                                   std::vector<Number>& numbers);
 

@@ -9,9 +9,8 @@
 
 namespace halfspace {
 
-// One or more, in order. Checked here: sizes above 0, a front plane before the back one, and vectors that are
-// not zero. What needs more than one parameter to judge (vup along vpn) is the flattener's. False after an
-// error.
+// One or more, in order. False after an error. Checked here: sizes above 0, a front plane before the back
+// one, vectors that are not zero. What depends on the defaults (vup along vpn) is the flattener's.
 [[nodiscard]] bool read_view_parameters(TokenStream& tokens, DiagnosticLog& log,
                                         std::vector<ViewParameter>& parameters);
 

@@ -88,6 +88,9 @@ INSTANTIATE_TEST_SUITE_P(HalfSpaces, OneError, testing::ValuesIn(half_spaces));
 
 const ErrorCase bodies[] = {
     {"body b ();", "1:1", "no half-space", "name at least one"},
+    {"plane a <1 0 0 0>; body b (a\nbody c (a);", "2:1", "found 'body'", "the id of a plane or quadric, '!' or ')'"},
+    {"plane a <1 0 0 0>; body\nbody c (a);", "2:1", "found 'body'", "the rest of the statement"},
+    {"plane a <1 0 0 0>; body b (a view);", "1:30", "'view' is a word of the language", "choose another id"},
     {"body b <>;", "1:1", "no half-space", "name at least one"},
     {"plane outer <1 0 0 0>; body b (outr);", "1:32", "no plane or quadric 'outr'", "did you mean 'outer'?"},
     {"body b (!zz);", "1:10", "no plane or quadric 'zz' outside the definitions", "define it there"},
