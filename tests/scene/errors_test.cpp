@@ -1,5 +1,4 @@
-// errors_test.cpp - each error: its exact place, and that its message names what is wrong and what would be
-// right.
+// errors_test.cpp - each error: its exact place, and a message that names what is wrong and the remedy.
 #include <gtest/gtest.h>
 
 #include "tests/scene/parse_helpers.hpp"

@@ -1,5 +1,4 @@
-// hostile_test.cpp - texts made to break a parser: each must end soon, with an error and a bounded list of
-// them.
+// hostile_test.cpp - texts made to break a parser: each must end soon, with a bounded list of errors.
 #include <gtest/gtest.h>
 
 #include <chrono>

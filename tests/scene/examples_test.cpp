@@ -1,6 +1,7 @@
-// language_document_test.cpp - every example of docs/language.md is a good scene.
+// examples_test.cpp - every example of docs/language.md and every scene of scenes/ is read without an error.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -9,12 +10,14 @@
 namespace halfspace::test {
 namespace {
 
-std::string read_document() {
-  std::ifstream file(HALFSPACE_SOURCE_DIR "/docs/language.md");
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
 }
+
+std::string read_document() { return read_text(HALFSPACE_SOURCE_DIR "/docs/language.md"); }
 
 // The blocks between "```uq" and "```".
 std::vector<std::string> examples(const std::string& document) {
@@ -43,6 +46,16 @@ TEST(LanguageDocument, NamesEveryWordOfTheLanguage) {
         "=vyz",  "=vzx",    "=vzy", "=t",         "=0",     "=v",       "=p",    "=a",    "=r"}) {
     EXPECT_NE(document.find("`" + word), std::string::npos) << word;
   }
+}
+
+TEST(Scenes, AreGood) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(HALFSPACE_SOURCE_DIR "/scenes")) {
+    if (entry.path().extension() != ".uq") continue;
+    ++found;
+    EXPECT_EQ(errors(read_text(entry.path())), std::vector<std::string>{}) << entry.path();
+  }
+  EXPECT_GT(found, 0);
 }
 
 }  // namespace
