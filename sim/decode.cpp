@@ -70,13 +70,12 @@ class Cursor {
 constexpr std::int32_t largest_page = 32767;
 
 std::uint32_t big_endian(std::span<const std::uint8_t> header, std::size_t at) {
-  return std::uint32_t{header[at]} << 24 | std::uint32_t{header[at + 1]} << 16 |
-         std::uint32_t{header[at + 2]} << 8 | header[at + 3];
+  return std::uint32_t{header[at]} << 24 | std::uint32_t{header[at + 1]} << 16 | std::uint32_t{header[at + 2]} << 8 |
+         header[at + 3];
 }
 
 // One line of spans, " first-last:level"..., after its scan line number.
-void decode_spans_of_row(Cursor& from, std::span<std::uint8_t> row, std::int32_t levels,
-                         std::int32_t background) {
+void decode_spans_of_row(Cursor& from, std::span<std::uint8_t> row, std::int32_t levels, std::int32_t background) {
   std::int32_t free_from = 0;
   std::int32_t level_before = background;
   do {
@@ -102,8 +101,7 @@ void decode_cell_row(Cursor& from, Sheet& sheet, std::int32_t top) {
   for (std::int32_t left = 0; left < sheet.width && from.sound(); left += 2) {
     const auto code = from.take(3, "line too short");
     if (code.empty()) return;
-    if (code[0] != 0xE2 || (code[1] & 0xFC) != 0xA0 || (code[2] & 0xC0) != 0x80)
-      return from.violate("no braille cell");
+    if (code[0] != 0xE2 || (code[1] & 0xFC) != 0xA0 || (code[2] & 0xC0) != 0x80) return from.violate("no braille cell");
     const int cell = (code[1] & 3) << 6 | (code[2] & 0x3F);
     for (std::int32_t dot = 0; dot < 8; ++dot) {
       const std::int32_t x = left + dot % 2, y = top + dot / 2;
@@ -138,8 +136,7 @@ Sheet decode_pwg_header(Cursor& from) {
   const auto header = from.take(1796, "header cut short");
   if (header.empty()) return {};
   const std::uint32_t width = big_endian(header, 372), height = big_endian(header, 376);
-  if (width < 1 || width > largest_page || height < 1 || height > largest_page)
-    from.violate("no such page size");
+  if (width < 1 || width > largest_page || height < 1 || height > largest_page) from.violate("no such page size");
   if (big_endian(header, 384) != 1 || big_endian(header, 388) != 1) from.violate("not one bit a dot");
   if (big_endian(header, 392) != (width + 7) / 8) from.violate("bytes a line that do not fit the width");
   if (big_endian(header, 400) != 3) from.violate("not black");
@@ -158,10 +155,8 @@ Decoded decode_pgm(std::span<const std::uint8_t> bytes) {
   from.expect("\n", "end of line expected");
   sheet.levels = from.number(1, 255, "maxval out of range") + 1;
   from.expect("\n", "end of line expected");
-  const auto dots =
-      from.take(static_cast<std::size_t>(sheet.height) * sheet.row_bytes(), "picture cut short");
-  const auto over =
-      std::find_if(dots.begin(), dots.end(), [&](std::uint8_t dot) { return dot >= sheet.levels; });
+  const auto dots = from.take(static_cast<std::size_t>(sheet.height) * sheet.row_bytes(), "picture cut short");
+  const auto over = std::find_if(dots.begin(), dots.end(), [&](std::uint8_t dot) { return dot >= sheet.levels; });
   if (over != dots.end()) from.violate("level above maxval");
   sheet.dots.assign(dots.begin(), dots.end());
   return from.result(std::move(sheet));
@@ -179,9 +174,8 @@ Decoded decode_spans(std::span<const std::uint8_t> bytes) {
   from.expect(" background ", "background expected");
   const std::int32_t background = from.number(0, sheet.levels - 1, "background out of range");
   from.expect("\n", "end of line expected");
-  sheet.dots.assign(static_cast<std::size_t>(sheet.height) * sheet.row_bytes(),
-                    static_cast<std::uint8_t>(background));
-  for (std::int32_t next_y = 0; from.sound() && !from.next_is('e'); ++next_y) {
+  sheet.dots.assign(static_cast<std::size_t>(sheet.height) * sheet.row_bytes(), static_cast<std::uint8_t>(background));
+  for (std::int32_t next_y = 0; from.sound() && from.left() > 0 && !from.next_is('e'); ++next_y) {
     next_y = from.number(next_y, sheet.height - 1, "scan line out of order");
     const std::span row = std::span(sheet.dots).subspan(static_cast<std::size_t>(next_y) * sheet.row_bytes());
     decode_spans_of_row(from, row.first(sheet.row_bytes()), sheet.levels, background);
