@@ -3,9 +3,9 @@
 // touch become one arc. So every line of an arc is a line on which some cell proved that the branch exists.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -18,7 +18,11 @@ struct ArcName {
   Branch branch = Branch::single;
   bool negated = false;
   int shift = 0;  // added to a line's value: +-1 moves a boundary that is itself excluded past the dots on it
-  auto operator<=>(const ArcName&) const = default;
+
+  friend bool operator==(const ArcName&, const ArcName&) = default;
+  friend bool operator<(const ArcName& a, const ArcName& b) {
+    return std::tie(a.curve, a.branch, a.negated, a.shift) < std::tie(b.curve, b.branch, b.negated, b.shift);
+  }
 };
 
 class ArcTable {
