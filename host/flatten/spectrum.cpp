@@ -30,6 +30,24 @@ void rotate(Matrix3& a, std::array<Vector3, 3>& vectors, std::size_t p, std::siz
   }
 }
 
+// Two equal values leave their vectors free: one of them takes a coordinate of 0, so that what lies along an axis of
+// the page is rounded to integers that do.
+void align_equal_pair(Spectrum& spectrum) {
+  for (std::size_t r = 0; r < 3; ++r) {
+    Vector3& u = spectrum.vectors[(r + 1) % 3];
+    Vector3& v = spectrum.vectors[(r + 2) % 3];
+    const Real a = spectrum.values[(r + 1) % 3];
+    const Real b = spectrum.values[(r + 2) % 3];
+    if (magnitude(a - b) > power_of_two(-zero_bits) * magnitude(a)) continue;
+    std::size_t axis = 0;
+    while (larger(magnitude(u[axis]), magnitude(v[axis])) < power_of_two(-20)) ++axis;
+    const Vector3 level = unit(difference(scaled(v, u[axis]), scaled(u, v[axis])));
+    u = level;
+    v = cross(spectrum.vectors[r], level);
+    return;
+  }
+}
+
 }  // namespace
 
 Spectrum spectrum_of(const RealHalfSpace& quadric) {
@@ -47,6 +65,7 @@ Spectrum spectrum_of(const RealHalfSpace& quadric) {
     rotate(a, result.vectors, 1, 2);
   }
   result.values = {a[0][0], a[1][1], a[2][2]};
+  align_equal_pair(result);
   return result;
 }
 
