@@ -56,8 +56,7 @@ std::string describe(const IntegerScene& scene) {
     for (const std::int64_t n : row) out << ' ' << n;
   }
   for (const std::int64_t n : scene.lighting.light) out << ' ' << n;
-  out << ' ' << scene.lighting.ambient << ' ' << scene.lighting.parallel << ' ' << scene.lighting.unit
-      << '\n';
+  out << ' ' << scene.lighting.ambient << ' ' << scene.lighting.parallel << ' ' << scene.lighting.unit << '\n';
   for (const IntegerBody& body : scene.bodies) {
     out << "body " << body.origin[0] << ' ' << body.origin[1] << ' ' << body.origin[2];
     write_box(out, body);

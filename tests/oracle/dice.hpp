@@ -14,9 +14,7 @@ class Dice {
   explicit Dice(std::uint64_t seed) : bits_(seed) {}
 
   // 0 .. n - 1.
-  std::int64_t below(std::int64_t n) {
-    return static_cast<std::int64_t>(bits_() % static_cast<std::uint64_t>(n));
-  }
+  std::int64_t below(std::int64_t n) { return static_cast<std::int64_t>(bits_() % static_cast<std::uint64_t>(n)); }
 
   // Both ends included.
   std::int64_t between(std::int64_t least, std::int64_t most) { return least + below(most - least + 1); }

@@ -219,8 +219,8 @@ class Sweep {
     const Solid& solid = solids_[hit.body];
     while (range.least < range.most) {
       const int middle = (range.least + range.most + 1) / 2;
-      const bool reached = reaches_level(scene_, *solid.exact, *solid.surfaces[hit.half_space].exact,
-                                         local_x(hit.body), local_y(hit.body), exact_root(hit), middle);
+      const bool reached = reaches_level(scene_, *solid.exact, *solid.surfaces[hit.half_space].exact, local_x(hit.body),
+                                         local_y(hit.body), exact_root(hit), middle);
       (reached ? range.least : range.most) = reached ? middle : middle - 1;
     }
     return range.least;
@@ -236,9 +236,7 @@ class Sweep {
     const Ball value = Ball::of(std::int64_t{top}) * intensity;
     if (!(value.e < 1e6)) return {0, top};
     const auto dark = static_cast<int>(top * lighting.ambient / lighting.unit);
-    const auto clamp = [&](double v) {
-      return static_cast<int>(std::clamp(std::floor(v), double(dark), double(top)));
-    };
+    const auto clamp = [&](double v) { return static_cast<int>(std::clamp(std::floor(v), double(dark), double(top))); };
     return {clamp(value.lower()), clamp(value.upper())};
   }
 
@@ -248,9 +246,8 @@ class Sweep {
     const auto& c = s.c;
     const Ball x = Ball::of(local_x(hit.body));
     const Ball y = Ball::of(local_y(hit.body));
-    std::array<Ball, 4> g = {
-        c[0] * x + c[3] * y + c[5] * hit.z + c[6], c[3] * x + c[1] * y + c[4] * hit.z + c[7],
-        c[5] * x + c[4] * y + c[2] * hit.z + c[8], c[6] * x + c[7] * y + c[8] * hit.z + c[9]};
+    std::array<Ball, 4> g = {c[0] * x + c[3] * y + c[5] * hit.z + c[6], c[3] * x + c[1] * y + c[4] * hit.z + c[7],
+                             c[5] * x + c[4] * y + c[2] * hit.z + c[8], c[6] * x + c[7] * y + c[8] * hit.z + c[9]};
     for (int i = 0; i < 3; ++i) g[3] = g[3] - Ball::of(solid.exact->origin[i]) * g[i];
     Ball along, normal_length, light_length;
     for (int row = 0; row < 3; ++row) {
@@ -276,8 +273,7 @@ class Sweep {
 
 }  // namespace
 
-std::vector<Dot> explain(const IntegerScene& scene, int y0, int y1, const Options& options,
-                         Statistics* statistics) {
+std::vector<Dot> explain(const IntegerScene& scene, int y0, int y1, const Options& options, Statistics* statistics) {
   Statistics unwanted;
   Sweep sweep(scene, options, statistics != nullptr ? *statistics : unwanted);
   std::vector<Dot> dots(static_cast<std::size_t>(scene.width) * std::max(0, y1 - y0));

@@ -50,9 +50,8 @@ RandomHalfSpace tangent_plane(Dice& dice, const BodyWish& wish, std::int64_t rad
     Point normal;
     std::int64_t length;
   };
-  static constexpr Direction directions[] = {{{1, 0, 0}, 1},  {{0, 1, 0}, 1},  {{0, 0, -1}, 1},
-                                             {{1, 2, 2}, 3},  {{2, -1, 2}, 3}, {{0, 3, -4}, 5},
-                                             {{-3, 4, 0}, 5}, {{2, 3, 6}, 7}};
+  static constexpr Direction directions[] = {{{1, 0, 0}, 1},  {{0, 1, 0}, 1},  {{0, 0, -1}, 1}, {{1, 2, 2}, 3},
+                                             {{2, -1, 2}, 3}, {{0, 3, -4}, 5}, {{-3, 4, 0}, 5}, {{2, 3, 6}, 7}};
   const Direction& d = directions[dice.below(std::size(directions))];
   return plane_through(d.normal, wish.centre, d.length * radius);
 }
@@ -105,17 +104,13 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {{1, 1, 1}, false, -1},  {{1, 1, 1}, false, -1},
-    {{1, 1, 1}, false, 0},  // ellipsoids, a point
-    {{1, 1, 0}, false, -1},  {{1, 1, 0}, false, -1},
-    {{1, 1, 0}, false, 0},                            // cylinders, a line
-    {{1, 1, -1}, false, 0},  {{1, 1, -1}, false, 0},  // cones
-    {{1, 1, -1}, false, -1}, {{1, 1, -1}, false, 1},  // hyperboloids, one and two sheets
-    {{1, 1, 0}, true, 0},    {{1, -1, 0}, true, 0},
-    {{1, 0, 0}, true, 0},                             // paraboloids, parabolic cylinder
-    {{1, -1, 0}, false, -1}, {{1, -1, 0}, false, 0},  // hyperbolic cylinder, two planes
-    {{1, 0, 0}, false, -1},  {{1, 0, 0}, false, 0},
-    {{-1, -1, -1}, false, 1}  // parallel and double planes, a ball
+    {{1, 1, 1}, false, -1},  {{1, 1, 1}, false, -1}, {{1, 1, 1}, false, 0},    // ellipsoids, a point
+    {{1, 1, 0}, false, -1},  {{1, 1, 0}, false, -1}, {{1, 1, 0}, false, 0},    // cylinders, a line
+    {{1, 1, -1}, false, 0},  {{1, 1, -1}, false, 0},                           // cones
+    {{1, 1, -1}, false, -1}, {{1, 1, -1}, false, 1},                           // hyperboloids, one and two sheets
+    {{1, 1, 0}, true, 0},    {{1, -1, 0}, true, 0},  {{1, 0, 0}, true, 0},     // paraboloids, parabolic cylinder
+    {{1, -1, 0}, false, -1}, {{1, -1, 0}, false, 0},                           // hyperbolic cylinder, two planes
+    {{1, 0, 0}, false, -1},  {{1, 0, 0}, false, 0},  {{-1, -1, -1}, false, 1}  // parallel and double planes, a ball
 };
 
 std::array<Point, 3> random_forms(Dice& dice) {
@@ -128,8 +123,7 @@ std::array<Point, 3> random_forms(Dice& dice) {
   for (;;) {
     for (Point& form : forms) form = {dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)};
     const auto& [f, g, h] = forms;
-    if (dot(f, {g[1] * h[2] - g[2] * h[1], g[2] * h[0] - g[0] * h[2], g[0] * h[1] - g[1] * h[0]}) != 0)
-      return forms;
+    if (dot(f, {g[1] * h[2] - g[2] * h[1], g[2] * h[0] - g[0] * h[2], g[0] * h[1] - g[1] * h[0]}) != 0) return forms;
   }
 }
 
@@ -208,8 +202,7 @@ void add_hollows(Dice& dice, const BodyWish& wish, RandomBody& body) {
 }
 
 void shuffle(Dice& dice, RandomBody& body) {
-  for (std::size_t i = body.size(); i > 1; --i)
-    std::swap(body[i - 1], body[dice.below(static_cast<std::int64_t>(i))]);
+  for (std::size_t i = body.size(); i > 1; --i) std::swap(body[i - 1], body[dice.below(static_cast<std::int64_t>(i))]);
 }
 
 }  // namespace

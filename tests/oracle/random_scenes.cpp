@@ -78,8 +78,7 @@ std::int64_t random_billionths(Dice& dice) {
 
 std::string half_space_text(Dice& dice, const RandomHalfSpace& h, const std::string& id, bool moved) {
   const std::int64_t count = h.quadric ? 10 : 4;
-  const std::int64_t place =
-      h.quadric ? 9 : dice.below(count);  // shells whose constants alone move stay apart
+  const std::int64_t place = h.quadric ? 9 : dice.below(count);  // shells whose constants alone move stay apart
   std::ostringstream out;
   out << (h.quadric ? "quadric " : "plane ") << id << " <";
   for (std::int64_t i = 0; i < count; ++i) {
@@ -136,8 +135,8 @@ std::string placed(Dice& dice, const std::string& body, const std::string& id, b
   std::ostringstream out;
   out << "definition d" << id << ";\n" << body << "enddef;\n";
   if (alone && dice.chance(25)) {
-    out << "array (d" << id << random_transforms(dice) << ") " << dice.between(2, 3) << " =t"
-        << random_axis(dice) << " 1.5 =rz " << dice.one_of({0, 20, 120}) << ";\n";
+    out << "array (d" << id << random_transforms(dice) << ") " << dice.between(2, 3) << " =t" << random_axis(dice)
+        << " 1.5 =rz " << dice.one_of({0, 20, 120}) << ";\n";
   } else {
     out << "instance (d" << id << random_transforms(dice) << ");\n";
   }
@@ -149,8 +148,7 @@ std::string random_lights(Dice& dice) {
   if (dice.chance(60)) out << "light ." << dice.between(0, 6) << ";\n";
   if (dice.chance(20)) out << "light .05;\n";
   for (std::int64_t n = dice.one_of({0, 1, 1, 1, 2}); n > 0; --n) {
-    out << "light " << thousandths(dice.between(1, 1000)) << " " << vector_text(random_direction(dice))
-        << ";\n";
+    out << "light " << thousandths(dice.between(1, 1000)) << " " << vector_text(random_direction(dice)) << ";\n";
   }
   return out.str();
 }
@@ -198,8 +196,7 @@ std::string random_view_parameters(Dice& dice, bool fitted) {
   std::ostringstream out;
   if (dice.chance(92)) write_projection(dice, out);
   if (!fitted) {
-    out << " whw " << thousandths(dice.between(1500, 7000)) << " whh "
-        << thousandths(dice.between(1500, 7000));
+    out << " whw " << thousandths(dice.between(1500, 7000)) << " whh " << thousandths(dice.between(1500, 7000));
     if (dice.chance(15)) {
       out << " fbp " << thousandths(dice.between(-2500, 500)) << " " << thousandths(dice.between(600, 3000));
     }

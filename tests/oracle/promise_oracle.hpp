@@ -1,0 +1,52 @@
+// promise_oracle.hpp - whether an integer picture keeps the promise made to the scene's text.
+// Promise  design.md, section 3.1: the level of a dot is that of a true-scene point within the scene's bound (at
+//          least 1/256 dot), give or take half a level. Surfaces may lie anywhere within the bound, so a face
+//          thinner than that may be lost or seen, and of two faces closer in depth either may win.
+// Method   The true scene (true_scene.hpp) at the dot's centre, in doubles; where it disagrees, at 256 bits at the
+//          centre and on two rings of eight points within the bound. Only then is the promise broken.
+// Cost     About 1 us for a dot and body; a searched dot some ms.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/flatten/integer_scene.hpp"
+#include "host/scene/scene.hpp"
+#include "tests/oracle/ray_caster.hpp"
+
+namespace halfspace::oracle {
+
+struct PromiseOptions {
+  int stride = 1;           // every dot whose x and y it divides
+  std::string view;         // empty: the last
+  double slack = 0.0;       // dots added to the bound
+  std::size_t enough = 20;  // broken dots after which the search ends
+};
+
+struct BrokenDot {
+  int x = 0, y = 0;
+  int level = 0;      // drawn; -1: background
+  double truth = -1;  // highest level * intensity at the true scene's centre of the dot; -1: background
+};
+
+struct PromiseReport {
+  std::uint64_t dots = 0;
+  std::uint64_t searched = 0;  // the centre alone did not settle
+  std::vector<BrokenDot> broken;
+  bool fitted = false;  // a half-size was missing: the fit is the oracle's own estimate, `fit_slack` was allowed
+};
+
+// Dots. The oracle samples the extent of a scene without a window, and may miss what is thinner than its net.
+inline constexpr double fit_slack = 0.25;
+
+// `levels`: the whole page as draw() gives it. Throws MeaninglessScene where the text has no picture.
+PromiseReport check_promise(const Scene& scene, const IntegerScene& integers, const std::vector<std::int16_t>& levels,
+                            const PromiseOptions& options = {});
+
+// Dots for a unit and the middle of the page, from the window or, where it is not given, from sampled extents.
+// Nothing if no face, or no end of the picture, was found.
+std::optional<Fit> fit_to_page(const TrueScene& scene, int width, int height);
+
+}  // namespace halfspace::oracle
