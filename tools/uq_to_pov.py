@@ -19,6 +19,7 @@ import sys
 
 TOKEN = re.compile(r"[A-Za-z_#][\w#]*|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|=[a-z0-9]+|[<>()!]")
 NUMBER = re.compile(r"[-+]?[.\d]")
+VIEW_KEYS = ("vrp", "vpn", "vup", "dop", "cop", "whh", "whw", "fbp")
 
 
 # --- 4 x 4 matrices and vectors; row vectors, as Ressler's (3.3) ---
@@ -124,7 +125,8 @@ def read_scene(path):
             take_id(rest)
             scene["lights"].append(numbers(rest))
         elif keyword == "view":
-            take_id(rest)
+            if rest[0] not in VIEW_KEYS:
+                take_id(rest)
             scene["view"] = read_view(rest)
         elif keyword in ("body", "instance", "array"):
             take_id(rest)
