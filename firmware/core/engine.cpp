@@ -321,7 +321,7 @@ class Engine {
 
 // The preferred band height, halved until the job fits.
 std::int32_t choose_band_rows(const JobHeader& header, std::int32_t preferred, std::size_t have) {
-  std::int32_t rows = std::clamp(preferred, 1, header.page.height);
+  std::int32_t rows = std::clamp<std::int32_t>(preferred, 1, header.page.height);
   while (rows > 1 && memory_needed(header, rows) > have) rows /= 2;
   return rows;
 }

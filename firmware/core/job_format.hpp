@@ -49,6 +49,7 @@ struct JobHeader {
   Page page;
   Screen screen = Screen::clustered;
   std::int32_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;  // scissor, inclusive
+  std::uint32_t bound = 0;  // how far a silhouette may lie from the true one, in 2^-20 dot, rounded up
   Lighting lighting;
   JobNeeds needs;
 };

@@ -62,6 +62,7 @@ void read_page(JobReader& in, JobHeader& h) {
   h.y0 = in.number_in(0, h.page.height);
   h.x1 = in.number_in(-1, h.page.width - 1);
   h.y1 = in.number_in(-1, h.page.height - 1);
+  h.bound = in.unsigned_number();
 }
 
 void read_lighting(JobReader& in, Lighting& l) {

@@ -191,6 +191,7 @@ void JobWriter::make_header() {
   h.y0 = scene_.scissor.y0;
   h.x1 = scene_.scissor.x1;
   h.y1 = scene_.scissor.y1;
+  h.bound = static_cast<std::uint32_t>(std::min(scene_.bound * 0x1p20 + 1, 4294967295.0));
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 4; ++j) {
       h.lighting.matrix[i][j] = static_cast<std::int32_t>(scene_.lighting.normal_matrix[i][j]);
@@ -229,6 +230,7 @@ void JobWriter::write_header(JobBytes& out) const {
   out.number(h.page.background);
   out.number(static_cast<int>(h.screen));
   for (const std::int32_t edge : {h.x0, h.y0, h.x1, h.y1}) out.number(edge);
+  out.unsigned_number(h.bound);
   for (const auto& row : h.lighting.matrix) {
     for (const std::int32_t m : row) out.number(m);
   }

@@ -1,0 +1,82 @@
+#include "host/cli/load_scene.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+
+#include "host/scene/parse.hpp"
+
+namespace halfspace {
+namespace {
+
+std::optional<std::string> read_stream(std::istream& in) {
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad()) return std::nullopt;
+  return text;
+}
+
+std::optional<std::string> read_scene_text(const std::string& path) {
+  if (path == "-") return read_stream(std::cin);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    fmt::print(stderr, "{}: error: is a folder; name a scene file\n", path);
+    return std::nullopt;
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  std::optional<std::string> text;
+  if (in) text = read_stream(in);
+  if (!text)
+    fmt::print(stderr, "{}: error: cannot be read ({}); check its name and permissions\n", path, std::strerror(errno));
+  return text;
+}
+
+}  // namespace
+
+ExitStatus fail(ExitStatus status, const std::string& message) {
+  fmt::print(stderr, "error: {}\n", message);
+  return status;
+}
+
+ExitStatus report(const Diagnostics& diagnostics, bool quiet) {
+  ExitStatus status = ExitStatus::drawn;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const bool warning = diagnostic.severity == Severity::warning;
+    if (!warning || !quiet) fmt::print(stderr, "{}\n", format(diagnostic));
+    if (diagnostic.severity == Severity::error) status = ExitStatus::scene_wrong;
+    if (diagnostic.severity == Severity::limit && status == ExitStatus::drawn) status = ExitStatus::limit_exceeded;
+  }
+  return status;
+}
+
+LoadedScene load_scene(const std::vector<std::string>& paths, const std::string& language, bool quiet) {
+  LoadedScene loaded;
+  std::vector<SourceText> texts;
+  for (const std::string& path : paths) {
+    const std::string ending = std::filesystem::path(path).extension().string();
+    if (language.empty() && path != "-" && ending != ".uq") {
+      loaded.status = fail(ExitStatus::command_line_wrong,
+                           fmt::format("{}: a scene file ends in .uq; rename it or say --language uq", path));
+      return loaded;
+    }
+    std::optional<std::string> text = read_scene_text(path);
+    if (!text) {
+      loaded.status = ExitStatus::device_or_file_failed;
+      return loaded;
+    }
+    texts.push_back({path == "-" ? "<standard input>" : path, std::move(*text)});
+  }
+  ParseResult parsed = parse_uniquadrix(texts);
+  loaded.status = report(parsed.diagnostics, quiet);
+  loaded.scene = std::move(parsed.scene);
+  return loaded;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,26 @@
+// output_page.hpp - a job drawn through its driver into the simulated device, and the finished page put under OUT.
+#pragma once
+
+#include <string>
+
+#include "firmware/core/engine.hpp"
+#include "host/cli/pipeline.hpp"
+
+namespace halfspace {
+
+struct DrawRequest {
+  std::string output;
+  Shader shader = Shader::isqrt;
+  bool quiet = false;
+};
+
+struct DrawnPage {
+  DrawResult result;
+  std::size_t core_bytes = 0;  // RAM lent to the core
+  double seconds = 0;          // processor time of core and driver
+  ExitStatus status = ExitStatus::drawn;
+};
+
+[[nodiscard]] DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRequest& request);
+
+}  // namespace halfspace
