@@ -55,7 +55,7 @@ class Cursor {
     return taken.empty() ? std::uint8_t{0} : taken[0];
   }
 
-  Decoded result(Sheet sheet) {
+  Decoded result(PaperSheet sheet) {
     if (left() > 0) violate("bytes after the page");
     if (!sound()) return {std::nullopt, violation_};
     return {std::move(sheet), {}};
@@ -96,7 +96,7 @@ void decode_spans_of_row(Cursor& from, std::span<std::uint8_t> row, std::int32_t
   from.expect("\n", "end of line expected");
 }
 
-void decode_cell_row(Cursor& from, Sheet& sheet, std::int32_t top) {
+void decode_cell_row(Cursor& from, PaperSheet& sheet, std::int32_t top) {
   constexpr std::uint8_t bits[4][2] = {{1, 8}, {2, 16}, {4, 32}, {64, 128}};
   for (std::int32_t left = 0; left < sheet.width && from.sound(); left += 2) {
     const auto code = from.take(3, "line too short");
@@ -131,7 +131,7 @@ void decode_pieces(Cursor& from, std::vector<std::uint8_t>& line, std::size_t si
   }
 }
 
-Sheet decode_pwg_header(Cursor& from) {
+PaperSheet decode_pwg_header(Cursor& from) {
   from.expect("RaS2", "not PWG Raster");
   const auto header = from.take(1796, "header cut short");
   if (header.empty()) return {};
@@ -147,7 +147,7 @@ Sheet decode_pwg_header(Cursor& from) {
 
 Decoded decode_pgm(std::span<const std::uint8_t> bytes) {
   Cursor from(bytes);
-  Sheet sheet{.format = DotFormat::gray};
+  PaperSheet sheet{.format = DotFormat::gray};
   from.expect("P5\n", "not a binary PGM");
   sheet.width = from.number(1, largest_page, "width out of range");
   from.expect(" ", "space expected");
@@ -164,7 +164,7 @@ Decoded decode_pgm(std::span<const std::uint8_t> bytes) {
 
 Decoded decode_spans(std::span<const std::uint8_t> bytes) {
   Cursor from(bytes);
-  Sheet sheet{.format = DotFormat::gray};
+  PaperSheet sheet{.format = DotFormat::gray};
   from.expect("halfspace spans 1\npage ", "not spans of version 1");
   sheet.width = from.number(1, largest_page, "width out of range");
   from.expect(" ", "space expected");
@@ -188,7 +188,7 @@ Decoded decode_spans(std::span<const std::uint8_t> bytes) {
 
 Decoded decode_braille(std::span<const std::uint8_t> bytes, std::int32_t width, std::int32_t height) {
   Cursor from(bytes);
-  Sheet sheet{.width = width, .height = height};
+  PaperSheet sheet{.width = width, .height = height};
   sheet.dots.assign(static_cast<std::size_t>(height) * sheet.row_bytes(), 0xFF);
   if (width % 8 != 0) {
     const auto spare_blank = static_cast<std::uint8_t>(0xFF << (8 - width % 8));
@@ -202,7 +202,7 @@ Decoded decode_braille(std::span<const std::uint8_t> bytes, std::int32_t width, 
 
 Decoded decode_pwg(std::span<const std::uint8_t> bytes) {
   Cursor from(bytes);
-  Sheet sheet = decode_pwg_header(from);
+  PaperSheet sheet = decode_pwg_header(from);
   std::vector<std::uint8_t> line;
   for (std::int32_t y = 0; y < sheet.height && from.sound();) {
     const std::int32_t lines = from.byte("page cut short") + 1;

@@ -12,7 +12,7 @@
 namespace halfspace {
 
 struct Decoded {
-  std::optional<Sheet> sheet;
+  std::optional<PaperSheet> sheet;
   Violation violation;  // when there is no sheet
 };
 
@@ -24,8 +24,7 @@ struct Decoded {
 
 // Lines of braille cells. The text does not say how many dots of its last column and line belong to the page:
 // the caller does, and dots beyond it must not be raised. A raised dot is light: ink bit 0.
-[[nodiscard]] Decoded decode_braille(std::span<const std::uint8_t> bytes, std::int32_t width,
-                                     std::int32_t height);
+[[nodiscard]] Decoded decode_braille(std::span<const std::uint8_t> bytes, std::int32_t width, std::int32_t height);
 
 // PWG Raster, one page of 1-bit black.
 [[nodiscard]] Decoded decode_pwg(std::span<const std::uint8_t> bytes);

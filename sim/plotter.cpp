@@ -56,7 +56,7 @@ Accepted SimulatedPlotter::take_text(std::span<const std::uint8_t> bytes) {
 void SimulatedPlotter::print_line() {
   if (fed_) pages_.push_back({.width = static_cast<std::int32_t>(line_bytes_ * 8)});
   fed_ = false;
-  Sheet& page = pages_.back();
+  PaperSheet& page = pages_.back();
   page.dots.insert(page.dots.end(), line_.begin(), line_.end());
   ++page.height;
   line_.clear();
@@ -134,9 +134,7 @@ DeviceStatus SimulatedVersatec::print(std::uint8_t byte) {
   return violate("byte that print mode does not take");
 }
 
-const char* SimulatedVersatec::unfinished() const {
-  return "job closed without a form feed or end of transmission";
-}
+const char* SimulatedVersatec::unfinished() const { return "job closed without a form feed or end of transmission"; }
 
 DeviceStatus SimulatedVarian::enter_mode() {
   mode_set_ = true;

@@ -29,7 +29,7 @@ class SimulatedPlotter : public PlotterPort {
   void limit_transfer(std::size_t bytes) { transfer_limit_ = bytes; }
 
   [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }
-  [[nodiscard]] const std::vector<Sheet>& pages() const { return pages_; }
+  [[nodiscard]] const std::vector<PaperSheet>& pages() const { return pages_; }
   [[nodiscard]] std::size_t calls() const { return faults_.calls(); }
 
  protected:
@@ -62,7 +62,7 @@ class SimulatedPlotter : public PlotterPort {
   PlotterMode mode_ = PlotterMode::print;
   bool fed_ = true;
   std::vector<std::uint8_t> line_;
-  std::vector<Sheet> pages_;
+  std::vector<PaperSheet> pages_;
   std::vector<Violation> violations_;
   FaultLine faults_;
 };

@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-struct Sheet {
+struct PaperSheet {
   std::int32_t width = 0;
   std::int32_t height = 0;
   DotFormat format = DotFormat::bilevel;
@@ -18,7 +18,7 @@ struct Sheet {
   [[nodiscard]] std::size_t row_bytes() const {
     return Page{.width = width, .height = height, .format = format}.row_bytes();
   }
-  friend bool operator==(const Sheet&, const Sheet&) = default;
+  friend bool operator==(const PaperSheet&, const PaperSheet&) = default;
 };
 
 }  // namespace halfspace

@@ -181,8 +181,8 @@ void SimulatedSsd1306::advance() {
   window_full_ = true;
 }
 
-Sheet SimulatedSsd1306::glass() const {
-  Sheet sheet{.width = columns, .height = pages * 8};
+PaperSheet SimulatedSsd1306::glass() const {
+  PaperSheet sheet{.width = columns, .height = pages * 8};
   sheet.dots.assign(static_cast<std::size_t>(sheet.height) * sheet.row_bytes(), 0xFF);
   for (int y = 0; on_ && y < sheet.height; ++y) {
     for (int x = 0; x < columns; ++x) {

@@ -27,7 +27,8 @@ class SimulatedSsd1306 final : public DisplayPort {
   void set_fault(const Fault& fault) { faults_.set(fault); }
 
   // What the glass shows, 1 = dark as ink is; all dark while the display is off.
-  [[nodiscard]] Sheet glass() const;
+  [[nodiscard]] PaperSheet glass() const;
+  [[nodiscard]] bool is_on() const { return on_; }
   // The display memory, page by page.
   [[nodiscard]] const std::array<std::uint8_t, 1024>& memory() const { return memory_; }
   [[nodiscard]] const std::vector<Violation>& violations() const { return violations_; }

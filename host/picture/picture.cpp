@@ -33,8 +33,7 @@ void expand_row(const Picture& picture, std::int32_t y, std::vector<std::uint8_t
 
 // A binary PBM is a header and the dots as they lie. OpenImageIO 2.4 writes its bits inverted.
 std::vector<std::uint8_t> encode_pbm(const Picture& picture) {
-  const std::string header =
-      "P4\n" + std::to_string(picture.width) + " " + std::to_string(picture.height) + "\n";
+  const std::string header = "P4\n" + std::to_string(picture.width) + " " + std::to_string(picture.height) + "\n";
   std::vector<std::uint8_t> file(header.begin(), header.end());
   file.insert(file.end(), picture.dots.begin(), picture.dots.end());
   return file;
@@ -70,14 +69,12 @@ std::vector<std::uint8_t> encode(const Picture& picture, const std::string& form
 
 }  // namespace
 
-Picture to_picture(const Sheet& sheet, std::int32_t dpi) {
+Picture to_picture(const PaperSheet& sheet, std::int32_t dpi) {
   const bool gray = sheet.format == DotFormat::gray;
-  Picture picture{
-      .width = sheet.width, .height = sheet.height, .bits = gray ? 8 : 1, .dots = sheet.dots, .dpi = dpi};
+  Picture picture{.width = sheet.width, .height = sheet.height, .bits = gray ? 8 : 1, .dots = sheet.dots, .dpi = dpi};
   if (!gray) return picture;
   const int steps = sheet.levels - 1;
-  for (std::uint8_t& dot : picture.dots)
-    dot = static_cast<std::uint8_t>((2 * 255 * dot + steps) / (2 * steps));
+  for (std::uint8_t& dot : picture.dots) dot = static_cast<std::uint8_t>((2 * 255 * dot + steps) / (2 * steps));
   return picture;
 }
 
@@ -94,10 +91,9 @@ std::optional<std::string> write_picture(const Picture& picture, const std::stri
     return "cannot write " + path + ": .pbm holds black and white only: use .pgm for a gray device";
   }
   std::string error = "libpng refused the picture";
-  const std::vector<std::uint8_t> file = format == ".pbm" ? encode_pbm(picture)
-                                         : format == ".png" && picture.bits == 1
-                                             ? encode_bilevel_png(picture)
-                                             : encode(picture, format, error);
+  const std::vector<std::uint8_t> file = format == ".pbm"                        ? encode_pbm(picture)
+                                         : format == ".png" && picture.bits == 1 ? encode_bilevel_png(picture)
+                                                                                 : encode(picture, format, error);
   if (file.empty()) return "cannot write " + path + ": " + error + ": use another ending or a smaller page";
   return write_bytes(path, file);
 }

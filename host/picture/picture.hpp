@@ -17,7 +17,7 @@ namespace halfspace {
 struct Picture {
   std::int32_t width = 0;
   std::int32_t height = 0;
-  int bits = 1;  // a dot; 1: 1 = ink, leftmost in the most significant bit; 8: 0 is black
+  int bits = 1;                         // a dot; 1: 1 = ink, leftmost in the most significant bit; 8: 0 is black
   std::vector<std::uint8_t> dots = {};  // height rows of row_bytes()
   std::int32_t dpi = 0;
 
@@ -27,7 +27,7 @@ struct Picture {
 };
 
 // Level k of N becomes round(255 k / (N - 1)), halves upwards.
-[[nodiscard]] Picture to_picture(const Sheet& sheet, std::int32_t dpi);
+[[nodiscard]] Picture to_picture(const PaperSheet& sheet, std::int32_t dpi);
 
 // Whether the name ends as a picture's does.
 [[nodiscard]] bool is_picture_name(const std::string& path);

@@ -23,14 +23,13 @@ bool all_blank(std::span<const std::uint8_t> bytes, std::uint8_t blank) {
 
 // The top left part of a larger sheet. Beyond it every dot must be blank (0 or 0xFF a byte), otherwise
 // nullopt.
-std::optional<Sheet> crop(const Sheet& large, const Page& page, std::uint8_t blank) {
-  Sheet sheet{.width = page.width, .height = page.height};
+std::optional<PaperSheet> crop(const PaperSheet& large, const Page& page, std::uint8_t blank) {
+  PaperSheet sheet{.width = page.width, .height = page.height};
   if (large.width < page.width || large.height < page.height) return std::nullopt;
   const int spare_bits = static_cast<int>(sheet.row_bytes()) * 8 - page.width;
   const auto spare = static_cast<std::uint8_t>((1 << spare_bits) - 1);
   for (std::int32_t y = 0; y < large.height; ++y) {
-    const auto row =
-        std::span(large.dots).subspan(static_cast<std::size_t>(y) * large.row_bytes(), large.row_bytes());
+    const auto row = std::span(large.dots).subspan(static_cast<std::size_t>(y) * large.row_bytes(), large.row_bytes());
     const std::size_t kept = y < page.height ? sheet.row_bytes() : 0;
     if (!all_blank(row.subspan(kept), blank)) return std::nullopt;
     if (kept == 0) continue;
@@ -41,7 +40,7 @@ std::optional<Sheet> crop(const Sheet& large, const Page& page, std::uint8_t bla
   return sheet;
 }
 
-ReceivedPage cropped(const Sheet& large, const Page& page, std::uint8_t blank) {
+ReceivedPage cropped(const PaperSheet& large, const Page& page, std::uint8_t blank) {
   auto sheet = crop(large, page, blank);
   if (!sheet) return {std::nullopt, "the simulated device shows dots outside the page"};
   return {std::move(sheet), {}};
@@ -81,12 +80,11 @@ class Oled final : public SimulatedDevice {
 
   ReceivedPage sheet() override {
     if (!display_.violations().empty()) return {std::nullopt, text_of(display_.violations().front())};
+    if (!display_.is_on()) return {std::nullopt, "the simulated display was not switched on"};
     return cropped(display_.glass(), page_, 0xFF);
   }
 
-  std::vector<std::uint8_t> raw_bytes() override {
-    return {display_.memory().begin(), display_.memory().end()};
-  }
+  std::vector<std::uint8_t> raw_bytes() override { return {display_.memory().begin(), display_.memory().end()}; }
 
  private:
   Page page_;
@@ -133,8 +131,7 @@ bool takes_raw_bytes(const std::string& path) {
 
 }  // namespace
 
-std::unique_ptr<SimulatedDevice> make_simulated_device(const KnownDevice& device, const Page& page,
-                                                       std::int32_t dpi) {
+std::unique_ptr<SimulatedDevice> make_simulated_device(const KnownDevice& device, const Page& page, std::int32_t dpi) {
   switch (device.kind) {
     case DeviceKind::versatec:
       return std::make_unique<PlotterOnPaper<VersatecDriver, SimulatedVersatec>>(page);
@@ -145,9 +142,8 @@ std::unique_ptr<SimulatedDevice> make_simulated_device(const KnownDevice& device
     case DeviceKind::ascii:
       return make_stream<AsciiDriver>(decode_spans);
     case DeviceKind::braille:
-      return make_stream<BrailleDriver>([page](std::span<const std::uint8_t> bytes) {
-        return decode_braille(bytes, page.width, page.height);
-      });
+      return make_stream<BrailleDriver>(
+          [page](std::span<const std::uint8_t> bytes) { return decode_braille(bytes, page.width, page.height); });
     case DeviceKind::ssd1306:
       return std::make_unique<Oled>(page);
     case DeviceKind::pwg:

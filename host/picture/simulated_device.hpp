@@ -16,7 +16,7 @@
 namespace halfspace {
 
 struct ReceivedPage {
-  std::optional<Sheet> sheet;  // width x height of the page, without feeds and margins
+  std::optional<PaperSheet> sheet;  // width x height of the page, without feeds and margins
   std::string error;           // why there is none: what the hardware objects to, and where in its bytes
 };
 
@@ -38,12 +38,11 @@ class SimulatedDevice {
 };
 
 // page: what will be drawn; the device checks it at begin_page.
-[[nodiscard]] std::unique_ptr<SimulatedDevice> make_simulated_device(const KnownDevice& device,
-                                                                     const Page& page, std::int32_t dpi);
+[[nodiscard]] std::unique_ptr<SimulatedDevice> make_simulated_device(const KnownDevice& device, const Page& page,
+                                                                     std::int32_t dpi);
 
 // Why OUT's name will not do, before anything is drawn: an unknown ending, or .pbm of a gray device.
-[[nodiscard]] std::optional<std::string> check_output_name(const std::string& path,
-                                                           const DeviceTraits& traits);
+[[nodiscard]] std::optional<std::string> check_output_name(const std::string& path, const DeviceTraits& traits);
 
 // The finished page under OUT's name: a picture, or for .prn .pwg .txt, "-" and what is not a file the raw
 // bytes.

@@ -11,7 +11,6 @@
 
 namespace halfspace {
 
-[[nodiscard]] std::optional<std::string> write_bytes(const std::string& path,
-                                                     std::span<const std::uint8_t> bytes);
+[[nodiscard]] std::optional<std::string> write_bytes(const std::string& path, std::span<const std::uint8_t> bytes);
 
 }  // namespace halfspace

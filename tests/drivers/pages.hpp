@@ -10,9 +10,9 @@
 namespace halfspace {
 
 // Half of the bytes repeat the one before them and one row in three the row above, so that runs and equal lines occur.
-inline Sheet noise(std::int32_t width, std::int32_t height, DotFormat format, std::int32_t levels, unsigned seed) {
+inline PaperSheet noise(std::int32_t width, std::int32_t height, DotFormat format, std::int32_t levels, unsigned seed) {
   std::mt19937 random(seed);
-  Sheet sheet{.width = width, .height = height, .format = format, .levels = levels};
+  PaperSheet sheet{.width = width, .height = height, .format = format, .levels = levels};
   for (std::int32_t y = 0; y < height; ++y) {
     const auto above = sheet.dots.end() - static_cast<std::ptrdiff_t>(y > 0 ? sheet.row_bytes() : 0);
     if (y > 0 && random() % 3 == 0) {
@@ -32,13 +32,13 @@ inline Sheet noise(std::int32_t width, std::int32_t height, DotFormat format, st
   return sheet;
 }
 
-inline Page page_of(const Sheet& sheet, std::int32_t background = 0) {
+inline Page page_of(const PaperSheet& sheet, std::int32_t background = 0) {
   const std::int32_t levels = sheet.format == DotFormat::gray ? sheet.levels : 65;
   return {sheet.width, sheet.height, sheet.format, levels, background};
 }
 
 // The whole page, or up to the first error.
-inline DeviceStatus draw(RasterDevice& device, const Sheet& sheet, std::int32_t band_rows) {
+inline DeviceStatus draw(RasterDevice& device, const PaperSheet& sheet, std::int32_t band_rows) {
   DeviceStatus status = device.begin_page(page_of(sheet));
   for (std::int32_t y = 0; y < sheet.height && status == DeviceStatus::ok; y += band_rows) {
     const std::int32_t rows = std::min(band_rows, sheet.height - y);
@@ -52,8 +52,8 @@ inline DeviceStatus draw(RasterDevice& device, const Sheet& sheet, std::int32_t 
 }
 
 // The page as a device of whole lines receives it: blank on the right.
-inline Sheet padded(const Sheet& sheet, std::int32_t width) {
-  Sheet wide{.width = width, .height = sheet.height};
+inline PaperSheet padded(const PaperSheet& sheet, std::int32_t width) {
+  PaperSheet wide{.width = width, .height = sheet.height};
   wide.dots.resize(static_cast<std::size_t>(sheet.height) * wide.row_bytes());
   for (std::size_t y = 0; y < static_cast<std::size_t>(sheet.height); ++y) {
     std::copy_n(sheet.dots.begin() + static_cast<std::ptrdiff_t>(y * sheet.row_bytes()), sheet.row_bytes(),

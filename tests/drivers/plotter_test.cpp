@@ -18,7 +18,7 @@ struct Rig {
   Plotter plotter;
   Driver driver{plotter, clock};
 
-  void expect_printed(const Sheet& sheet) {
+  void expect_printed(const PaperSheet& sheet) {
     plotter.close();
     EXPECT_TRUE(plotter.violations().empty())
         << plotter.violations()[0].what << " at byte " << plotter.violations()[0].offset;
@@ -32,7 +32,7 @@ class Plotters : public testing::Test {};
 using Rigs = testing::Types<Rig<VersatecDriver, SimulatedVersatec>, Rig<VarianDriver, SimulatedVarian>>;
 TYPED_TEST_SUITE(Plotters, Rigs);
 
-Sheet page(std::int32_t width, std::int32_t height) {
+PaperSheet page(std::int32_t width, std::int32_t height) {
   return noise(width, height, DotFormat::bilevel, 2, static_cast<unsigned>(width * 1000 + height));
 }
 
@@ -40,7 +40,7 @@ TYPED_TEST(Plotters, PrintPagesOfAnyWidthInBandsOfAnyHeight) {
   for (const std::int32_t width : {1, 7, 8, 9, 63, 64, 65, 1000, 2111, 2112}) {
     for (std::int32_t band_rows = 1; band_rows <= 40; ++band_rows) {
       TypeParam rig;
-      const Sheet sheet = page(width, 39);
+      const PaperSheet sheet = page(width, 39);
       ASSERT_EQ(draw(rig.driver, sheet, band_rows), DeviceStatus::ok);
       EXPECT_EQ(rig.plotter.pages().size(), 1U);
       rig.expect_printed(sheet);
@@ -50,7 +50,7 @@ TYPED_TEST(Plotters, PrintPagesOfAnyWidthInBandsOfAnyHeight) {
 
 TYPED_TEST(Plotters, PrintTheFullWidth) {
   TypeParam rig;
-  const Sheet sheet = page(rig.driver.traits().max_width, 101);
+  const PaperSheet sheet = page(rig.driver.traits().max_width, 101);
   ASSERT_EQ(draw(rig.driver, sheet, rig.driver.traits().preferred_band_rows), DeviceStatus::ok);
   rig.expect_printed(sheet);
 }
@@ -65,7 +65,7 @@ TYPED_TEST(Plotters, CarryPartialLinesAcrossWrites) {
   for (const std::size_t limit : {2U, 6U, 262U, 264U, 266U, 878U, 882U, 4096U}) {
     TypeParam rig;
     rig.plotter.limit_transfer(limit);
-    const Sheet sheet = page(999, 23);
+    const PaperSheet sheet = page(999, 23);
     ASSERT_EQ(draw(rig.driver, sheet, 4), DeviceStatus::ok);
     rig.expect_printed(sheet);
   }
@@ -74,7 +74,7 @@ TYPED_TEST(Plotters, CarryPartialLinesAcrossWrites) {
 TYPED_TEST(Plotters, PrintOnePageAfterAnother) {
   TypeParam rig;
   for (const std::int32_t height : {1, 5, 2}) {
-    const Sheet sheet = page(300, height);
+    const PaperSheet sheet = page(300, height);
     ASSERT_EQ(draw(rig.driver, sheet, 2), DeviceStatus::ok);
     rig.expect_printed(sheet);
   }
@@ -83,7 +83,7 @@ TYPED_TEST(Plotters, PrintOnePageAfterAnother) {
 
 TYPED_TEST(Plotters, LeaveNothingBehindWhenAborted) {
   TypeParam rig;
-  const Sheet sheet = page(2112, 90);
+  const PaperSheet sheet = page(2112, 90);
   ASSERT_EQ(rig.driver.begin_page(page_of(sheet)), DeviceStatus::ok);
   ASSERT_EQ(rig.driver.put_band({0, 70, std::span(sheet.dots).first(70 * sheet.row_bytes())}), DeviceStatus::ok);
   rig.driver.abort();
@@ -103,7 +103,7 @@ DeviceStatus expected(DeviceStatus fault, std::size_t at_call, std::size_t calls
 
 // fault x place x persistence. The place runs over every call that the page makes, and one beyond.
 TYPED_TEST(Plotters, SurviveEveryFaultEverywhere) {
-  const Sheet sheet = page(2112, 9);
+  const PaperSheet sheet = page(2112, 9);
   TypeParam reference;
   reference.plotter.limit_transfer(1000);
   ASSERT_EQ(draw(reference.driver, sheet, 4), DeviceStatus::ok);
@@ -128,7 +128,7 @@ TYPED_TEST(Plotters, SurviveEveryFaultEverywhere) {
 }
 
 TYPED_TEST(Plotters, ReportTheEndOfThePaperAtEveryLine) {
-  const Sheet sheet = page(640, 80);
+  const PaperSheet sheet = page(640, 80);
   for (std::size_t lines = 0; lines <= 81; ++lines) {
     TypeParam rig;
     rig.plotter.limit_paper(lines);

@@ -25,7 +25,7 @@ ssize_t read_some(void* context, unsigned char* into, std::size_t size) {
   return static_cast<ssize_t>(count);
 }
 
-void expect_cups_reads(const Sheet& sheet, std::span<const std::uint8_t> stream) {
+void expect_cups_reads(const PaperSheet& sheet, std::span<const std::uint8_t> stream) {
   Reader reader{stream};
   const std::unique_ptr<cups_raster_t, decltype(&cupsRasterClose)> raster(
       cupsRasterOpenIO(read_some, &reader, CUPS_RASTER_READ), cupsRasterClose);
@@ -54,7 +54,7 @@ TEST(PwgByCups, IsReadDotForDot) {
       SimulatedClock clock;
       ByteCollector sink;
       PwgDriver driver(sink, clock);
-      const Sheet sheet = noise(width, height, DotFormat::bilevel, 2, static_cast<unsigned>(width + height));
+      const PaperSheet sheet = noise(width, height, DotFormat::bilevel, 2, static_cast<unsigned>(width + height));
       ASSERT_EQ(draw(driver, sheet, 16), DeviceStatus::ok);
       expect_cups_reads(sheet, sink.bytes());
     }
@@ -65,7 +65,7 @@ TEST(PwgByCups, ReadsAnEmptyPage) {
   SimulatedClock clock;
   ByteCollector sink;
   PwgDriver driver(sink, clock);
-  Sheet sheet{.width = 2550, .height = 3300};
+  PaperSheet sheet{.width = 2550, .height = 3300};
   sheet.dots.resize(3300 * sheet.row_bytes());
   ASSERT_EQ(draw(driver, sheet, 16), DeviceStatus::ok);
   EXPECT_LT(sink.bytes().size(), 1900U);

@@ -17,8 +17,8 @@ struct Rig {
 };
 
 // The page in the top left corner, the rest dark: ink.
-Sheet on_glass(const Sheet& sheet) {
-  Sheet glass{.width = 128, .height = 64};
+PaperSheet on_glass(const PaperSheet& sheet) {
+  PaperSheet glass{.width = 128, .height = 64};
   glass.dots.assign(1024, 0xFF);
   for (std::int32_t y = 0; y < sheet.height; ++y) {
     for (std::int32_t x = 0; x < sheet.width; ++x) {
@@ -37,7 +37,7 @@ TEST(Ssd1306, ShowsPagesOfAnySizeInBandsOfAnyHeight) {
     for (const std::int32_t height : {1, 7, 8, 9, 33, 63, 64}) {
       for (std::int32_t band_rows = 1; band_rows <= height; ++band_rows) {
         Rig rig;
-        const Sheet sheet = noise(width, height, DotFormat::bilevel, 2, 7);
+        const PaperSheet sheet = noise(width, height, DotFormat::bilevel, 2, 7);
         ASSERT_EQ(draw(rig.driver, sheet, band_rows), DeviceStatus::ok);
         ASSERT_TRUE(rig.display.violations().empty()) << rig.display.violations()[0].what;
         ASSERT_EQ(rig.display.glass(), on_glass(sheet)) << width << " x " << height << " by " << band_rows;
@@ -48,7 +48,7 @@ TEST(Ssd1306, ShowsPagesOfAnySizeInBandsOfAnyHeight) {
 
 TEST(Ssd1306, LaysDotsInVerticalBytes) {
   Rig rig;
-  Sheet sheet{.width = 2, .height = 9};  // all light but (1, 1) and (0, 8)
+  PaperSheet sheet{.width = 2, .height = 9};  // all light but (1, 1) and (0, 8)
   sheet.dots = {0, 0x40, 0, 0, 0, 0, 0, 0, 0x80};
   ASSERT_EQ(draw(rig.driver, sheet, 9), DeviceStatus::ok);
   EXPECT_EQ(rig.display.memory()[0], 0xFF);
@@ -59,7 +59,7 @@ TEST(Ssd1306, LaysDotsInVerticalBytes) {
 }
 
 TEST(Ssd1306, SurvivesEveryFaultEverywhere) {
-  const Sheet sheet = noise(128, 64, DotFormat::bilevel, 2, 11);
+  const PaperSheet sheet = noise(128, 64, DotFormat::bilevel, 2, 11);
   constexpr std::size_t calls_of_page = 2 + 8 + 1;
   constexpr std::size_t patience = driver_patience_ms;
   for (const DeviceStatus fault : {DeviceStatus::busy, DeviceStatus::offline, DeviceStatus::io}) {

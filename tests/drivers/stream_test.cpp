@@ -23,8 +23,8 @@ struct Rig {
   std::string text() const { return {sink.bytes().begin(), sink.bytes().end()}; }
 };
 
-Sheet bilevel(const std::vector<std::string>& rows) {
-  Sheet sheet{.width = static_cast<std::int32_t>(rows[0].size()), .height = static_cast<std::int32_t>(rows.size())};
+PaperSheet bilevel(const std::vector<std::string>& rows) {
+  PaperSheet sheet{.width = static_cast<std::int32_t>(rows[0].size()), .height = static_cast<std::int32_t>(rows.size())};
   sheet.dots.resize(rows.size() * sheet.row_bytes());
   for (std::size_t y = 0; y < rows.size(); ++y) {
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
@@ -34,12 +34,12 @@ Sheet bilevel(const std::vector<std::string>& rows) {
   return sheet;
 }
 
-Decoded decode(const ByteCollector& sink, const Sheet&, const GrayDriver&) { return decode_pgm(sink.bytes()); }
-Decoded decode(const ByteCollector& sink, const Sheet&, const AsciiDriver&) { return decode_spans(sink.bytes()); }
-Decoded decode(const ByteCollector& sink, const Sheet& sheet, const BrailleDriver&) {
+Decoded decode(const ByteCollector& sink, const PaperSheet&, const GrayDriver&) { return decode_pgm(sink.bytes()); }
+Decoded decode(const ByteCollector& sink, const PaperSheet&, const AsciiDriver&) { return decode_spans(sink.bytes()); }
+Decoded decode(const ByteCollector& sink, const PaperSheet& sheet, const BrailleDriver&) {
   return decode_braille(sink.bytes(), sheet.width, sheet.height);
 }
-Decoded decode(const ByteCollector& sink, const Sheet&, const PwgDriver&) { return decode_pwg(sink.bytes()); }
+Decoded decode(const ByteCollector& sink, const PaperSheet&, const PwgDriver&) { return decode_pwg(sink.bytes()); }
 
 template <typename R>
 class Streams : public testing::Test {};
@@ -52,7 +52,7 @@ TYPED_TEST(Streams, DecodeToTheDotsThatWereDrawn) {
       for (const std::int32_t band_rows : {1, 2, 3, 4, 7, 21}) {
         TypeParam rig;
         const DeviceTraits& traits = rig.driver.traits();
-        const Sheet sheet = noise(width, height, traits.format, traits.format == DotFormat::gray ? 17 : 2,
+        const PaperSheet sheet = noise(width, height, traits.format, traits.format == DotFormat::gray ? 17 : 2,
                                   static_cast<unsigned>(width));
         ASSERT_EQ(draw(rig.driver, sheet, band_rows), DeviceStatus::ok);
         const Decoded decoded = decode(rig.sink, sheet, rig.driver);
@@ -66,7 +66,7 @@ TYPED_TEST(Streams, DecodeToTheDotsThatWereDrawn) {
 TYPED_TEST(Streams, SurviveEveryFaultEverywhere) {
   constexpr std::size_t patience = driver_patience_ms;
   TypeParam reference;
-  const Sheet sheet = noise(200, 40, reference.driver.traits().format, 2, 5);
+  const PaperSheet sheet = noise(200, 40, reference.driver.traits().format, 2, 5);
   reference.sink.limit_transfer(300);
   ASSERT_EQ(draw(reference.driver, sheet, 8), DeviceStatus::ok);
   const std::size_t calls_of_page = reference.sink.calls();
@@ -91,7 +91,7 @@ TYPED_TEST(Streams, SurviveEveryFaultEverywhere) {
 
 TEST(Gray, WritesABinaryPgm) {
   Rig<GrayDriver> rig;
-  const Sheet sheet{
+  const PaperSheet sheet{
       .width = 3, .height = 2, .format = DotFormat::gray, .levels = 17, .dots = {'a' - 96, 2, 3, 4, 5, 16}};
   ASSERT_EQ(draw(rig.driver, sheet, 1), DeviceStatus::ok);
   EXPECT_EQ(rig.text(), "P5\n3 2\n16\n\1\2\3\4\5\x10");
@@ -99,7 +99,7 @@ TEST(Gray, WritesABinaryPgm) {
 
 TEST(Ascii, WritesSpansWithoutTheBackground) {
   Rig<AsciiDriver> rig;
-  const Sheet sheet{
+  const PaperSheet sheet{
       .width = 6, .height = 4, .format = DotFormat::gray, .levels = 256, .dots = {0,   0, 0, 0, 0, 0,    //
                                                                                   0,   9, 9, 9, 0, 0,    //
                                                                                   200, 9, 9, 0, 7, 255,  //
@@ -116,7 +116,7 @@ TEST(Ascii, WritesSpansWithoutTheBackground) {
 
 TEST(Braille, RaisesADotWhereThereIsNoInk) {
   Rig<BrailleDriver> rig;
-  const Sheet sheet = bilevel({"#######",  //
+  const PaperSheet sheet = bilevel({"#######",  //
                                "#.....#",  //
                                "#.....#",  //
                                "#######",  //
@@ -127,7 +127,7 @@ TEST(Braille, RaisesADotWhereThereIsNoInk) {
 
 TEST(Pwg, HoldsBackNoMoreThan256EqualLines) {
   Rig<PwgDriver> rig;
-  Sheet sheet{.width = 16, .height = 600};
+  PaperSheet sheet{.width = 16, .height = 600};
   sheet.dots.assign(1200, 0xA5);
   ASSERT_EQ(draw(rig.driver, sheet, 100), DeviceStatus::ok);
   const std::vector<std::uint8_t> body(rig.sink.bytes().begin() + 1800, rig.sink.bytes().end());

@@ -74,7 +74,7 @@ TEST(SimulatedSsd1306, WalksItsWindowInEachAddressingMode) {
 }
 
 TEST(SimulatedSsd1306, IsDarkUntilItIsSwitchedOnAndTurnsAsItIsTold) {
-  const auto inked = [](const Sheet& glass, std::size_t x, std::size_t y) {
+  const auto inked = [](const PaperSheet& glass, std::size_t x, std::size_t y) {
     return (glass.dots[y * 16 + x / 8] >> (7 - x % 8) & 1) != 0;
   };
   SimulatedSsd1306 display;
