@@ -23,7 +23,8 @@ FaceCurves face_curves(const Sheets& sheets, const Extent& extent, ArcTable& arc
   if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
   // Within the extent alone is an untraced constraint known to keep its sign, so cells must not reach across its sides.
   if (has_untraced_constraint(sheets)) {
-    face.range = DotRange{extent.x0, extent.x1};
+    face.range =
+        DotRange{rational_root(static_cast<long>(extent.x0), 1), rational_root(static_cast<long>(extent.x1), 1)};
     append_factors(vertical_line(extent.x0), face.curves);
     append_factors(vertical_line(extent.x1), face.curves);
   }
@@ -94,20 +95,20 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::ve
 }  // namespace
 
 std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, ArcTable& arcs) {
-  std::vector<FaceCells> faces;
-  if (sheets.shape == SheetShape::none) return faces;
-  if (sheets.shape == SheetShape::two_sheets) {
-    faces = {{Sheet::front, {}, {}}, {Sheet::back, {}, {}}};
-  } else {
-    faces = {{Sheet::only, {}, {}}};
-  }
+  if (sheets.shape == SheetShape::none) return {};
+  const bool two = sheets.shape == SheetShape::two_sheets;
   const FaceCurves face = face_curves(sheets, extent, arcs);
+  std::vector<FaceCells> faces;
+  std::vector<SheetPresence> presences;
+  for (const Sheet sheet : two ? std::vector{Sheet::front, Sheet::back} : std::vector{Sheet::only}) {
+    faces.push_back({sheet, {}, {}});
+    presences.emplace_back(sheets, sheet);
+  }
   std::vector<CellBuilder> builders(faces.size());
   for (const ScanRow& row : scan_rows(face.curves, extent.y0, extent.y1)) {
     const std::vector<RowRoot> roots = roots_on_line(face.curves, row.y0);
-    const SheetOnLine line(sheets, static_cast<long>(row.y0));
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const auto intervals = row_intervals(roots, line, faces[i].sheet, face.pole, face.range);
+      const auto intervals = row_intervals(roots, row.y0, presences[i], face.pole, face.range);
       builders[i].add(row, named_intervals(face, roots, intervals, extent));
     }
   }

@@ -1,13 +1,14 @@
 // interval.hpp - doubles with outward rounding: every result contains the exact one.
 // An IEEE operation errs by at most half a unit in the last place, or half the least denormal; `outward` adds more than both.
-// Nothing here depends on a libm: +, -, * and sqrt are correctly rounded everywhere, ldexp and abs are exact.
-// Ranges  Callers keep magnitudes below 2^300, so nothing overflows and no NaN arises.
+// Nothing here depends on a libm: +, -, *, / and sqrt are correctly rounded everywhere, ldexp and abs are exact.
+// Ranges  Products need factors below 2^300, so that nothing overflows and no NaN arises; sums and quotients may be infinite.
 #pragma once
 
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 
@@ -34,6 +35,11 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 
+// b is positive.
+inline Interval operator/(const Interval& a, const Interval& b) {
+  return outward(a.low / (a.low < 0 ? b.low : b.high), a.high / (a.high < 0 ? b.high : b.low));
+}
+
 [[nodiscard]] inline Interval squared(const Interval& a) {
   const double size = std::max(std::abs(a.low), std::abs(a.high));
   const double least = a.may_vanish() ? 0 : std::min(std::abs(a.low), std::abs(a.high));
@@ -47,13 +53,16 @@ inline Interval operator*(const Interval& a, const Interval& b) {
   return {std::max(root.low, 0.0), root.high};
 }
 
-// value / 2^exponent.
+// value / 2^exponent; a quotient of 2^900 or more is only bounded by infinity.
 [[nodiscard]] inline Interval enclosure(const mpz_class& value, long exponent) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (sgn(value) == 0) return {};
   long own = 0;
   const double mantissa = mpz_get_d_2exp(&own, value.get_mpz_t());  // truncated: off by less than one unit
-  const long shift = std::clamp(own - exponent, -4000L, 300L);
+  const long shift = std::max(own - exponent, -4000L);
+  if (shift > 900) return {-infinity, infinity};
   const double scaled = std::ldexp(mantissa, static_cast<int>(shift));
-  return sgn(value) == 0 ? Interval{} : outward(scaled, scaled);
+  return outward(scaled, scaled);
 }
 
 }  // namespace halfspace

@@ -1,5 +1,8 @@
 #include "host/resolve/line_root.hpp"
 
+#include <cmath>
+#include <optional>
+
 namespace halfspace {
 namespace {
 
@@ -28,7 +31,32 @@ mpz_class scaled_floor(const LineRoot& x, unsigned shift) {
   return quotient;
 }
 
+LineRoot make_root(mpz_class p, mpz_class e, mpz_class r, int sigma) {
+  const auto scale = static_cast<long>(mpz_sizeinbase(r.get_mpz_t(), 2));
+  Interval numerator = enclosure(p, scale);
+  if (sigma > 0) numerator = numerator + square_root(enclosure(e, 2 * scale));
+  if (sigma < 0) numerator = numerator - square_root(enclosure(e, 2 * scale));
+  const Interval near = numerator / enclosure(r, scale);
+  return {std::move(p), std::move(e), std::move(r), sigma, near};
+}
+
+// An integer well inside (a, b), in the sense of the enclosures, or the midpoint of a wide enough gap.
+std::optional<double> quick_between(const LineRoot& a, const LineRoot& b) {
+  constexpr double largest = 0x1p40;  // doubles here carry at least 12 bits after the point
+  if (!(a.near.high > -largest && b.near.low < largest)) return std::nullopt;
+  const double integer = std::floor(a.near.high) + 1;
+  if (integer < b.near.low) return integer;
+  const double middle = std::round((a.near.high + b.near.low) / 2 * 0x1p10) * 0x1p-10;
+  if (a.near.high < middle && middle < b.near.low) return middle;
+  return std::nullopt;
+}
+
 }  // namespace
+
+LinePolynomial restricted(const Curve& p, const mpz_class& y) {
+  const auto& q = p.q;
+  return {q[0], q[1] * y + q[3], (q[2] * y + q[4]) * y + q[5]};
+}
 
 std::vector<LineRoot> real_roots(const LinePolynomial& f) {
   if (sgn(f.c2) == 0) {
@@ -41,10 +69,12 @@ std::vector<LineRoot> real_roots(const LinePolynomial& f) {
   const int up = sgn(f.c2);
   const mpz_class p = up > 0 ? mpz_class(-f.c1) : f.c1;
   const mpz_class r = 2 * abs(f.c2);
-  return {{p, e, r, -1}, {p, e, r, 1}};
+  return {make_root(p, e, r, -1), make_root(p, e, r, 1)};
 }
 
 int compare(const LineRoot& a, const LineRoot& b) {
+  if (a.near.high < b.near.low) return -1;
+  if (a.near.low > b.near.high) return 1;
   const mpz_class rational = a.p * b.r - b.p * a.r;
   if (a.sigma == 0 && b.sigma == 0) return sgn(rational);
   if (b.sigma == 0) return sign_of(rational, a.sigma * b.r, a.e);
@@ -64,15 +94,16 @@ int compare(const LineRoot& a, const LineRoot& b) {
 mpz_class floor_of(const LineRoot& x) { return scaled_floor(x, 0); }
 
 mpz_class ceiling_of(const LineRoot& x) {
-  const LineRoot negated{-x.p, x.e, x.r, -x.sigma};
+  const LineRoot negated{-x.p, x.e, x.r, -x.sigma, {}};
   return -scaled_floor(negated, 0);
 }
 
 LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator) {
-  return {sgn(denominator) < 0 ? mpz_class(-numerator) : numerator, 0, abs(denominator), 0};
+  return make_root(sgn(denominator) < 0 ? mpz_class(-numerator) : numerator, 0, abs(denominator), 0);
 }
 
 LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
+  if (const auto x = quick_between(a, b)) return rational_root(mpz_class(*x * 0x1p10), 1 << 10);
   for (unsigned shift = 0;; shift += 4) {  // ends: the floors part once 2^shift (b - a) >= 2
     const mpz_class low = scaled_floor(a, shift);
     const mpz_class high = scaled_floor(b, shift);

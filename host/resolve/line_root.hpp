@@ -7,17 +7,24 @@
 
 #include <vector>
 
+#include "host/resolve/interval.hpp"
+#include "host/resolve/resolved_scene.hpp"
+
 namespace halfspace {
 
 struct LineRoot {
   mpz_class p, e, r = 1;
   int sigma = 0;
+  Interval near;  // contains x: settles most comparisons
 };
 
 // A polynomial in x on one scan line: c2 x^2 + c1 x + c0.
 struct LinePolynomial {
   mpz_class c2, c1, c0;
 };
+
+// p on the scan line y.
+[[nodiscard]] LinePolynomial restricted(const Curve& p, const mpz_class& y);
 
 // The real roots, ascending, a double root once; none of a constant.
 [[nodiscard]] std::vector<LineRoot> real_roots(const LinePolynomial& f);
@@ -30,7 +37,7 @@ struct LinePolynomial {
 
 [[nodiscard]] LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator);
 
-// A rational strictly between a and b, with a < b.
+// A rational strictly between a and b, with a < b. Where possible an integer, so that values there stay small.
 [[nodiscard]] LineRoot rational_between(const LineRoot& a, const LineRoot& b);
 
 // u + v sqrt(e): a number of the field of one point, whose e it does not carry.

@@ -7,8 +7,7 @@ namespace halfspace {
 namespace {
 
 bool within(const LineRoot& x, const std::optional<DotRange>& range) {
-  return !range || (compare(x, rational_root(static_cast<long>(range->first), 1)) >= 0 &&
-                    compare(x, rational_root(static_cast<long>(range->last), 1)) <= 0);
+  return !range || (compare(x, range->first) >= 0 && compare(x, range->last) <= 0);
 }
 
 // A point of the open cell left of root i.
@@ -25,26 +24,26 @@ bool passes_through(const RowRoot& root, std::uint32_t curve) {
 }
 
 // Cell 0, root 0, cell 1, ... cell n: does each show?
-std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, const SheetOnLine& line, Sheet sheet,
+std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
                                std::uint32_t pole, const std::optional<DotRange>& range) {
   std::vector<bool> shown(2 * roots.size() + 1);
   for (std::size_t i = 0; i <= roots.size(); ++i) {
     const LineRoot x = sample(roots, i);
-    shown[2 * i] = within(x, range) && line.shows_at(x, sheet);
+    shown[2 * i] = within(x, range) && presence.shows_at(x, y);
   }
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (passes_through(roots[i], pole)) continue;
     const LineRoot& x = roots[i].x;
-    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || (within(x, range) && line.shows_at(x, sheet));
+    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || (within(x, range) && presence.shows_at(x, y));
   }
   return shown;
 }
 
 }  // namespace
 
-std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const SheetOnLine& line, Sheet sheet,
+std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
                                        std::uint32_t pole, const std::optional<DotRange>& range) {
-  const std::vector<bool> shown = shown_pieces(roots, line, sheet, pole, range);
+  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole, range);
   std::vector<RowInterval> intervals;
   const int pieces = static_cast<int>(shown.size());
   for (int first = 0; first < pieces; ++first) {

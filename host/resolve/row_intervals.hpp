@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/resolve/scan_rows.hpp"
-#include "host/resolve/sheet_on_line.hpp"
+#include "host/resolve/sheet_presence.hpp"
 
 namespace halfspace {
 
@@ -21,13 +21,13 @@ struct RowInterval {
 };
 
 struct DotRange {
-  std::int64_t first = 0, last = -1;
+  LineRoot first, last;
 };
 
 // `pole`: the index of the curve on which a rational sheet does not exist, or no_arc. With a range, whose ends are then among the
 // roots, nothing shows outside it.
-[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const SheetOnLine& line,
-                                                     Sheet sheet, std::uint32_t pole,
+[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y,
+                                                     const SheetPresence& presence, std::uint32_t pole,
                                                      const std::optional<DotRange>& range);
 
 }  // namespace halfspace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "host/resolve/sheet_on_line.hpp"
-
 namespace halfspace {
 namespace {
 

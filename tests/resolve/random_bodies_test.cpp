@@ -40,5 +40,33 @@ TEST(RandomBodies, WithManyQuadricsAreRefusedOrEveryDotIsRight) {
   EXPECT_GT(drawn, 300);
 }
 
+// The same surfaces with coefficients far beyond any machine word.
+TEST(RandomBodies, OfHugeCoefficientsAreTheSame) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Dice dice(seed);
+    IntegerScene scene = page_with(random_body(dice, 1), 24, 24);
+    mpz_class factor = (mpz_class(1) << static_cast<unsigned>(dice.between(0, 400))) + dice.between(0, 9);
+    for (IntegerHalfSpace& h : scene.bodies[0].half_spaces) {
+      for (mpz_class& c : h.c) c *= factor;
+      factor = factor * 3 + 1;
+    }
+    expect_exact(scene, resolve(scene), seed);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Generic coefficients of many digits: nothing cancels, and roots of different curves differ by little.
+TEST(RandomBodies, NearlyDegenerateOnesAreRightToo) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    Dice dice(seed);
+    IntegerScene scene = page_with(random_body(dice, 1), 24, 24);
+    for (IntegerHalfSpace& h : scene.bodies[0].half_spaces) {
+      for (mpz_class& c : h.c) c = (c << 40) + dice.between(-2, 2);
+    }
+    expect_exact(scene, resolve(scene), seed);
+    if (HasFatalFailure()) return;
+  }
+}
+
 }  // namespace
 }  // namespace halfspace::test

@@ -1,0 +1,67 @@
+// enclosed_sheet.hpp - the forms of sheet.hpp over a box of the page, in intervals: quick answers that are never wrong.
+// Used as the filter before exact signs, and to prove that two quadrics stay apart.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host/resolve/interval.hpp"
+#include "host/resolve/sheet.hpp"
+
+namespace halfspace {
+
+// Local dots; any doubles with x0 <= x1, y0 <= y1.
+struct Box {
+  double x0, y0, x1, y1;
+};
+
+// A curve's polynomial with rounded coefficients, all divided by the same power of two so that they are at most 1.
+// `over` adds a bound for every rounding: centre and radius, half the work of operations on intervals.
+class EnclosedCurve {
+ public:
+  EnclosedCurve() = default;
+  EnclosedCurve(const Curve& p, long exponent);
+  [[nodiscard]] Interval over(const Box& box) const;
+
+ private:
+  std::array<double, 6> q_{};
+};
+
+enum class Verdict : std::uint8_t { nowhere, everywhere, unsure };
+
+class EnclosedSheet {
+ public:
+  EnclosedSheet(const Sheets& sheets, Sheet sheet);
+
+  // Where in the box does the sheet exist with every constraint holding?
+  [[nodiscard]] Verdict shows_over(const Box& box) const;
+
+  // A curved constraint that may vanish on the shown part of the sheet, if any.
+  [[nodiscard]] std::optional<std::uint32_t> possible_meeting(const Box& box) const;
+
+ private:
+  struct EnclosedConstraint {
+    std::uint32_t half_space = 0;
+    bool curved = false;
+    int sense = 1;
+    EnclosedCurve p, r;  // rational sheets: c' and b' of the other surface, and its a'
+    Interval a;
+  };
+  // The own forms over one box.
+  struct OnBox {
+    Interval root, b, c;
+  };
+
+  [[nodiscard]] EnclosedConstraint enclosed(const Constraint& k, long root_exponent) const;
+  [[nodiscard]] Interval value_of(const EnclosedConstraint& k, const OnBox& own, const Box& box) const;
+  [[nodiscard]] OnBox own_forms(const Box& box, const Interval& d) const;
+
+  SheetShape shape_;
+  double t_;  // of P + t R sqrt(d)
+  EnclosedCurve d_, b_, c_;
+  std::vector<EnclosedConstraint> constraints_;
+};
+
+}  // namespace halfspace
