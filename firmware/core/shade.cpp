@@ -17,9 +17,9 @@ struct Quadratic {
   Int u2, u1, u0;
 
   [[nodiscard]] Int at(std::int64_t x) const { return (u2 * Int(x) + u1) * Int(x) + u0; }
-  // Bits that hold its values on 0 .. n.
+  // Bits that hold its values on 0 .. n: a quadratic exceeds the largest of three equally spaced values by at most a quarter.
   [[nodiscard]] int bits(std::int64_t n) const {
-    return 2 + std::max({u0.bit_length(), (u1 * Int(n)).bit_length(), (u2 * Int(n * n)).bit_length()});
+    return 1 + std::max({u0.bit_length(), at(n / 2).bit_length(), at(n).bit_length()});
   }
 };
 
@@ -94,37 +94,37 @@ Slice make_slice(const ActiveFace& f, const Lighting& lighting, std::int32_t y, 
   return slice;
 }
 
-// One component of N (or L) in 64-bit registers: value = (u >> 32) + (m * s >> 30), off by at most `error`.
+// One component of N (or L) in 64-bit registers: (u >> 32) + (m * s >> 30), off by at most error(e) when s is off by e.
 struct Component {
   SecondOrder<std::int64_t> u;
   std::int64_t m = 0;
-  std::int64_t error = 0;
+  std::int64_t rounding = 0;
 
   [[nodiscard]] std::int64_t value(std::int64_t s) const { return (u.r >> 32) + (m * s >> 30); }
+  [[nodiscard]] std::int64_t error(std::int64_t root_error) const {
+    return ((m < 0 ? -m : m) * root_error >> 30) + rounding;
+  }
 };
 
 constexpr int root_bits = 30;       // s < 2^30
-constexpr int component_bits = 30;  // |N_i|, |L| < 2^30
+constexpr int component_bits = 30;  // |N_i| < 2^30, |L| < 2^31
 
 struct Registers {
   std::array<Component, 3> n;
   Component light;
   std::int64_t d = 0, d1 = 0, d2 = 0;  // D and its differences, scaled by 2^-2h
-  std::int64_t root_error = 0;
-  int root_shift = 0;    // h: sqrt(D) = s 2^h
-  int depth_shift = 0;   // log2 of s units in a dot of z, about: Jordan's step
-  bool grazing = false;  // L = 0 on the whole span: a cylinder lit along its axis
+  int root_shift = 0;                  // h: sqrt(D) = s 2^h
+  int depth_shift = 0;                 // log2 of s units in a dot of z, about: Jordan's step
+  bool grazing = false;                // L = 0 on the whole span: a cylinder lit along its axis
 };
 
-Component make_component(const Quadratic& u, const Int& v, int shift, int h, std::int64_t n, std::int64_t root_error) {
+Component make_component(const Quadratic& u, const Int& v, int shift, int h, std::int64_t n) {
   Component c;
-  const Int second = u.u2 + u.u2;
   c.u.r = scaled(u.u0, shift - 32);
   c.u.x = scaled(u.u1 + u.u2, shift - 32);
-  c.u.xx = scaled(second, shift - 32);
+  c.u.xx = scaled(u.u2 + u.u2, shift - 32);
   c.m = scaled(v, shift - h - 30);
-  const std::int64_t m = c.m < 0 ? -c.m : c.m;
-  c.error = (m * root_error >> 30) + ((n * n + 2 * n) >> 32) + 4;
+  c.rounding = ((n * n + 2 * n) >> 32) + 4;
   return c;
 }
 
@@ -136,7 +136,6 @@ Registers make_registers(const ActiveFace& face, const Slice& slice, const Light
   r.d = scaled(slice.discriminant.u0, 2 * r.root_shift);
   r.d1 = scaled(slice.discriminant.u1 + slice.discriminant.u2, 2 * r.root_shift);
   r.d2 = scaled(slice.discriminant.u2 + slice.discriminant.u2, 2 * r.root_shift);
-  r.root_error = n + 3;
   r.depth_shift = std::clamp(face.c[2].bit_length() - r.root_shift - 2, 8, 24);
   Quadratic light;
   Int light_v;
@@ -152,9 +151,9 @@ Registers make_registers(const ActiveFace& face, const Slice& slice, const Light
   r.grazing = light.u2.is_zero() && light.u1.is_zero() && light.u0.is_zero() && light_v.is_zero();
   const int shift = bits + 1 - component_bits;
   for (int i = 0; i < 3; ++i) {
-    r.n[i] = make_component(slice.u[i], slice.v[i], shift, r.root_shift, n, r.root_error);
+    r.n[i] = make_component(slice.u[i], slice.v[i], shift, r.root_shift, n);
   }
-  r.light = make_component(light, light_v, shift + table.light_bits, r.root_shift, n, r.root_error);
+  r.light = make_component(light, light_v, shift + table.light_bits, r.root_shift, n);
   return r;
 }
 
@@ -228,12 +227,16 @@ class JordanWalk {
 // (t * a) >> 32 for a < 2^63: two 32-bit products.
 std::uint64_t scale_by(std::uint32_t t, std::uint64_t a) { return t * (a >> 32) + ((t * (a & 0xffffffffU)) >> 32); }
 
-// L and |N|^2 at a dot, with the bound of L^2 - t |N|^2 that a comparison must exceed.
+// L and |N|^2 at a dot.
 struct Light {
   std::int64_t l = 0;
   std::uint64_t l2 = 0, n2 = 0;
-  std::int64_t l_error = 0;
-  std::int64_t margin = 0;
+};
+
+// What L, and L^2 - t |N|^2, must exceed to be certain.
+struct Margin {
+  std::int64_t light = 0;
+  std::int64_t squares = 0;
 };
 
 constexpr int yes = 1, no = 0, unsure = -1;
@@ -249,7 +252,13 @@ class SpanShader {
         x0_(x0),
         x1_(x1),
         counters_(counters),
-        r_(make_registers(face, make_slice(face, lighting, y, x0), lighting, table, x1 - x0 + 1)) {}
+        r_(make_registers(face, make_slice(face, lighting, y, x0), lighting, table, x1 - x0 + 1)) {
+    // D is off by at most n^2 / 2 + n + 1: sqrt(D) by its root, and by one unit at most from s = n^2 on.
+    const std::int64_t n = x1 - x0 + 1;
+    deep_from_ = n * n + 2 * n;
+    deep_ = margin_for(3);
+    shallow_ = margin_for(n + 3);
+  }
 
   void run(Shader shader, RowPainter& painter) {
     if (r_.grazing) {
@@ -257,24 +266,25 @@ class SpanShader {
     } else if (shader == Shader::jordan && face_.kind == FaceKind::root) {
       JordanWalk walk(r_.d, r_.depth_shift);
       const std::int64_t half_unit = (std::int64_t{1} << r_.depth_shift) >> 1;
-      sweep(walk, half_unit, painter);
+      const Margin coarse = margin_for(half_unit + (x1_ - x0_) + 4);
+      sweep(painter,
+            [&](std::int32_t x, std::int32_t level) { return level_of(light_at(walk.next(r_.d)), coarse, x, level); });
     } else {
       RootWalk walk;
-      sweep(walk, 0, painter);
+      sweep(painter, [&](std::int32_t x, std::int32_t level) {
+        const std::int64_t s = walk.next(r_.d);
+        return level_of(light_at(s), fine_margin(s), x, level);
+      });
     }
   }
 
  private:
-  template <class Walk>
-  void sweep(Walk& walk, std::int64_t walk_error, RowPainter& painter) {
-    const std::int64_t coarse = margin_for(walk_error);
-    const std::int64_t fine = margin_for(0);
+  template <class LevelAt>
+  void sweep(RowPainter& painter, LevelAt level_at) {
     std::int32_t from = x0_;
     std::int32_t level = -1;
     for (std::int32_t x = x0_; x <= x1_; ++x) {
-      ++counters_.intensities;
-      const Light light = light_at(walk.next(r_.d), walk_error, walk_error != 0 ? coarse : fine);
-      std::int32_t k = level < 0 ? first_level(light, x, fine) : next_level(light, x, level, fine);
+      const std::int32_t k = level_at(x, level);
       if (k != level) {
         if (level >= 0) paint(painter, from, x - 1, level);
         from = x;
@@ -283,6 +293,7 @@ class SpanShader {
       step();
     }
     paint(painter, from, x1_, level);
+    counters_.intensities += static_cast<std::uint32_t>(x1_ - x0_ + 1);
   }
 
   void paint(RowPainter& painter, std::int32_t x0, std::int32_t x1, std::int32_t level) {
@@ -301,20 +312,17 @@ class SpanShader {
     r_.light.u.x += r_.light.u.xx;
   }
 
-  static std::int64_t extra_error(const Component& c, std::int64_t walk_error) {
-    return ((c.m < 0 ? -c.m : c.m) * walk_error >> 30) + 1;
-  }
-
-  // Errors of L^2 (|L| < 2^31) and of |N|^2 (three components under 2^30), and the rounding of t and of its
-  // product.
-  [[nodiscard]] std::int64_t margin_for(std::int64_t walk_error) const {
-    const std::int64_t el = r_.light.error + extra_error(r_.light, walk_error);
+  // From the errors of L (|L| < 2^31) and of |N|^2 (three components under 2^30), and the rounding of t and its product.
+  [[nodiscard]] Margin margin_for(std::int64_t root_error) const {
+    const std::int64_t el = r_.light.error(root_error);
     std::int64_t en = 0;
-    for (const Component& c : r_.n) en = std::max(en, c.error + extra_error(c, walk_error));
-    return (el << 32) + el * el + 3 * ((en << 31) + en * en) + (std::int64_t{1} << 31);
+    for (const Component& c : r_.n) en = std::max(en, c.error(root_error));
+    return {el, (el << 32) + el * el + 3 * ((en << 31) + en * en) + (std::int64_t{1} << 31)};
   }
 
-  [[nodiscard]] Light light_at(std::int64_t s, std::int64_t walk_error, std::int64_t margin) const {
+  [[nodiscard]] const Margin& fine_margin(std::int64_t s) const { return s >= deep_from_ ? deep_ : shallow_; }
+
+  [[nodiscard]] Light light_at(std::int64_t s) const {
     Light light;
     light.l = r_.light.value(s);
     light.l2 = static_cast<std::uint64_t>(light.l * light.l);
@@ -322,51 +330,50 @@ class SpanShader {
       const std::int64_t n = c.value(s);
       light.n2 += static_cast<std::uint64_t>(n * n);
     }
-    light.l_error = r_.light.error + extra_error(r_.light, walk_error);
-    light.margin = margin;
     return light;
   }
 
-  [[nodiscard]] int filter(const Light& light, std::int32_t k) const {
-    if (light.l <= light.l_error) return light.l < -light.l_error ? no : unsure;
+  [[nodiscard]] int filter(const Light& light, const Margin& margin, std::int32_t k) const {
+    if (light.l <= margin.light) return light.l < -margin.light ? no : unsure;
     const auto difference =
         static_cast<std::int64_t>(light.l2) - static_cast<std::int64_t>(scale_by(table_.squares[k], light.n2));
-    if (difference > light.margin) return yes;
-    return difference < -light.margin ? no : unsure;
+    if (difference > margin.squares) return yes;
+    return difference < -margin.squares ? no : unsure;
   }
 
-  [[nodiscard]] bool reaches(const Light& light, std::int32_t x, std::int32_t k, std::int64_t fine) {
+  [[nodiscard]] bool reaches(const Light& light, const Margin& margin, std::int32_t x, std::int32_t k) {
     if (k <= table_.ambient_level) return true;
     if (k > table_.top_level) return false;
-    int answer = filter(light, k);
-    if (answer == unsure && light.margin != fine) {
-      const std::int64_t d = std::max<std::int64_t>(r_.d, 0);
-      answer = filter(light_at(isqrt(static_cast<std::uint64_t>(d)), 0, fine), k);
-    }
+    const int answer = filter(light, margin, k);
+    return answer == unsure ? settle(x, k) : answer == yes;
+  }
+
+  // The integer square root first (Jordan's walk asks here often), exact arithmetic last.
+  [[nodiscard]] bool settle(std::int32_t x, std::int32_t k) {
+    const std::int64_t s = isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(r_.d, 0)));
+    const int answer = filter(light_at(s), fine_margin(s), k);
     if (answer != unsure) return answer == yes;
     ++counters_.exact_levels;
     return reaches_level(face_, lighting_, table_.levels, k, x, y_);
   }
 
-  // The largest level reached, by bisection.
-  std::int32_t first_level(const Light& light, std::int32_t x, std::int64_t fine) {
-    std::int32_t low = table_.ambient_level;
-    std::int32_t high = table_.top_level + 1;
-    while (high - low > 1) {
-      const std::int32_t middle = (low + high) / 2;
-      (reaches(light, x, middle, fine) ? low : high) = middle;
+  // The largest level reached, sought from the level of the dot before (-1: none) or by bisection.
+  std::int32_t level_of(const Light& light, const Margin& margin, std::int32_t x, std::int32_t level) {
+    if (level < 0) {
+      std::int32_t low = table_.ambient_level;
+      std::int32_t high = table_.top_level + 1;
+      while (high - low > 1) {
+        const std::int32_t middle = (low + high) / 2;
+        (reaches(light, margin, x, middle) ? low : high) = middle;
+      }
+      return low;
     }
-    return low;
-  }
-
-  // The largest level reached, from the one of the dot before.
-  std::int32_t next_level(const Light& light, std::int32_t x, std::int32_t level, std::int64_t fine) {
-    if (reaches(light, x, level + 1, fine)) {
+    if (reaches(light, margin, x, level + 1)) {
       do {
         ++level;
-      } while (reaches(light, x, level + 1, fine));
+      } while (reaches(light, margin, x, level + 1));
     } else {
-      while (!reaches(light, x, level, fine)) --level;
+      while (!reaches(light, margin, x, level)) --level;
     }
     return level;
   }
@@ -377,6 +384,8 @@ class SpanShader {
   std::int32_t y_, x0_, x1_;
   Counters& counters_;
   Registers r_;
+  std::int64_t deep_from_ = 0;
+  Margin deep_, shallow_;
 };
 
 }  // namespace
