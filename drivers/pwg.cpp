@@ -88,8 +88,7 @@ void PwgDriver::put_line(std::span<const std::uint8_t> line) {
       writer_.put(line[0]);
     } else {
       count = literal_length(line);
-      writer_.put(
-          static_cast<std::uint8_t>(count == 1 ? 0 : 257 - count));  // 256 does not fit: one byte is a run
+      writer_.put(static_cast<std::uint8_t>(count == 1 ? 0 : 257 - count));  // 256 does not fit: one byte is a run
       writer_.put(line.first(count));
     }
     line = line.subspan(count);

@@ -20,8 +20,7 @@ inline constexpr std::size_t varian_line_bytes = 264;
 
 class VarianDriver final : public PlotterDriver {
  public:
-  VarianDriver(PlotterPort& port, Clock& clock)
-      : PlotterDriver(varian_traits, varian_line_bytes, port, clock) {}
+  VarianDriver(PlotterPort& port, Clock& clock) : PlotterDriver(varian_traits, varian_line_bytes, port, clock) {}
 
  private:
   DeviceStatus start() override;

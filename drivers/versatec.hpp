@@ -20,8 +20,7 @@ inline constexpr std::size_t versatec_line_bytes = 880;
 
 class VersatecDriver final : public PlotterDriver {
  public:
-  VersatecDriver(PlotterPort& port, Clock& clock)
-      : PlotterDriver(versatec_traits, versatec_line_bytes, port, clock) {}
+  VersatecDriver(PlotterPort& port, Clock& clock) : PlotterDriver(versatec_traits, versatec_line_bytes, port, clock) {}
 
  private:
   DeviceStatus start() override;

@@ -44,8 +44,7 @@ struct DeviceTraits {
 }
 
 [[nodiscard]] constexpr Page default_page(const DeviceTraits& traits) {
-  return {traits.width, traits.height, traits.format, traits.levels,
-          background_level(traits.paper, traits.levels)};
+  return {traits.width, traits.height, traits.format, traits.levels, background_level(traits.paper, traits.levels)};
 }
 
 class RasterDevice {
@@ -112,10 +111,8 @@ class RasterDevice {
   }
 
   [[nodiscard]] DeviceStatus check(const Band& band) const {
-    if (band.y != next_y_ || band.rows < 1 || band.rows > page_.height - next_y_)
-      return DeviceStatus::out_of_order;
-    if (band.bytes.size() != static_cast<std::size_t>(band.rows) * page_.row_bytes())
-      return DeviceStatus::bad_band;
+    if (band.y != next_y_ || band.rows < 1 || band.rows > page_.height - next_y_) return DeviceStatus::out_of_order;
+    if (band.bytes.size() != static_cast<std::size_t>(band.rows) * page_.row_bytes()) return DeviceStatus::bad_band;
     return DeviceStatus::ok;
   }
 

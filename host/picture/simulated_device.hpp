@@ -17,7 +17,7 @@ namespace halfspace {
 
 struct ReceivedPage {
   std::optional<PaperSheet> sheet;  // width x height of the page, without feeds and margins
-  std::string error;           // why there is none: what the hardware objects to, and where in its bytes
+  std::string error;                // why there is none: what the hardware objects to, and where in its bytes
 };
 
 class SimulatedDevice {

@@ -24,7 +24,8 @@ struct Rig {
 };
 
 PaperSheet bilevel(const std::vector<std::string>& rows) {
-  PaperSheet sheet{.width = static_cast<std::int32_t>(rows[0].size()), .height = static_cast<std::int32_t>(rows.size())};
+  PaperSheet sheet{.width = static_cast<std::int32_t>(rows[0].size()),
+                   .height = static_cast<std::int32_t>(rows.size())};
   sheet.dots.resize(rows.size() * sheet.row_bytes());
   for (std::size_t y = 0; y < rows.size(); ++y) {
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
@@ -53,7 +54,7 @@ TYPED_TEST(Streams, DecodeToTheDotsThatWereDrawn) {
         TypeParam rig;
         const DeviceTraits& traits = rig.driver.traits();
         const PaperSheet sheet = noise(width, height, traits.format, traits.format == DotFormat::gray ? 17 : 2,
-                                  static_cast<unsigned>(width));
+                                       static_cast<unsigned>(width));
         ASSERT_EQ(draw(rig.driver, sheet, band_rows), DeviceStatus::ok);
         const Decoded decoded = decode(rig.sink, sheet, rig.driver);
         ASSERT_TRUE(decoded.sheet) << decoded.violation.what << " at byte " << decoded.violation.offset;
@@ -117,10 +118,10 @@ TEST(Ascii, WritesSpansWithoutTheBackground) {
 TEST(Braille, RaisesADotWhereThereIsNoInk) {
   Rig<BrailleDriver> rig;
   const PaperSheet sheet = bilevel({"#######",  //
-                               "#.....#",  //
-                               "#.....#",  //
-                               "#######",  //
-                               "....###"});
+                                    "#.....#",  //
+                                    "#.....#",  //
+                                    "#######",  //
+                                    "....###"});
   ASSERT_EQ(draw(rig.driver, sheet, 2), DeviceStatus::ok);
   EXPECT_EQ(rig.text(), "⠰⠶⠶⠀\n⠉⠉⠀⠀\n");
 }
