@@ -12,6 +12,7 @@ namespace {
 struct Extent {
   double least[2] = {1e300, 1e300};  // u, v on the view plane
   double most[2] = {-1e300, -1e300};
+  double least_at[2] = {}, most_at[2] = {};  // the other coordinate there
 
   [[nodiscard]] bool found() const { return least[0] <= most[0]; }
 };
@@ -43,8 +44,14 @@ class ExtentSearch {
     if (!caster_.shade(u, -v)) return;
     const double p[2] = {u, v};
     for (int i = 0; i < 2; ++i) {
-      extent_.least[i] = std::min(extent_.least[i], p[i]);
-      extent_.most[i] = std::max(extent_.most[i], p[i]);
+      if (p[i] < extent_.least[i]) {
+        extent_.least[i] = p[i];
+        extent_.least_at[i] = p[1 - i];
+      }
+      if (p[i] > extent_.most[i]) {
+        extent_.most[i] = p[i];
+        extent_.most_at[i] = p[1 - i];
+      }
     }
   }
 
@@ -58,22 +65,23 @@ class ExtentSearch {
 
   // Strips of that width beyond one edge of the extent, as long as the edge moves. False: it seems to have no end.
   bool push_out(int axis, int side, double width) {
-    const int across = 1 - axis;
-    double& edge = side < 0 ? extent_.least[axis] : extent_.most[axis];
+    const double& edge = side < 0 ? extent_.least[axis] : extent_.most[axis];
+    const double& tip = side < 0 ? extent_.least_at[axis] : extent_.most_at[axis];
     for (int strip = 0; strip < 64; ++strip) {
-      const double before = edge;
-      const double from = extent_.least[across] - width;
-      const double size = extent_.most[across] + width - from;
+      const double before = edge, middle = tip;
+      const double from = extent_.least[1 - axis] - width;
+      const double size = extent_.most[1 - axis] + width - from;
       for (int i = 1; i <= 4; ++i) {
-        for (int j = 0; j <= 128; ++j) {
-          const double out = before + side * width * i / 4, along = from + size * j / 128;
-          axis == 0 ? probe(out, along) : probe(along, out);
-        }
+        const double out = before + side * width * i / 4;
+        for (int j = 0; j <= 64; ++j) probe_at(axis, out, from + size * j / 64);
+        for (int j = -48; j <= 48; ++j) probe_at(axis, out, middle + width * j / 16);
       }
       if (edge == before) return true;
     }
     return false;
   }
+
+  void probe_at(int axis, double out, double along) { axis == 0 ? probe(out, along) : probe(along, out); }
 
   RayCaster<double> caster_;
   Extent extent_;
@@ -129,10 +137,11 @@ PromiseReport check_promise(const Scene& scene, const IntegerScene& integers, co
   PromiseReport report;
   report.fitted = !truth.view.half_width || !truth.view.half_height;
   const std::optional<Fit> fit = fit_to_page(truth, integers.width, integers.height);
-  if (!fit) throw MeaninglessScene("there is nothing to fit to the page");
+  if (!fit) return report;
   const RayCaster<double> quick(truth, *fit, integers.width, integers.height, integers.levels);
   const RayCaster<Real> sure(truth, *fit, integers.width, integers.height, integers.levels);
-  const double bound = std::max(integers.bound, 1.0 / 256) + options.slack + (report.fitted ? fit_slack : 0.0);
+  const double bound =
+      std::clamp(integers.bound, least_bound, most_bound) + options.slack + (report.fitted ? fit_slack : 0);
 
   for (int y = 0; y < integers.height; y += options.stride) {
     for (int x = 0; x < integers.width; x += options.stride) {

@@ -1,6 +1,6 @@
 // promise_oracle.hpp - whether an integer picture keeps the promise made to the scene's text.
-// Promise  design.md, section 3.1: the level of a dot is that of a true-scene point within the scene's bound (at
-//          least 1/256 dot), give or take half a level. Surfaces may lie anywhere within the bound, so a face
+// Promise  design.md, section 3.1: the level of a dot is that of a true-scene point within the scene's bound (taken
+//          as no less than 1/256 dot and no more than 1/16), give or take half a level. Surfaces may lie anywhere within the bound, so a face
 //          thinner than that may be lost or seen, and of two faces closer in depth either may win.
 // Method   The true scene (true_scene.hpp) at the dot's centre, in doubles; where it disagrees, at 256 bits at the
 //          centre and on two rings of eight points within the bound. Only then is the promise broken.
@@ -32,11 +32,14 @@ struct BrokenDot {
 };
 
 struct PromiseReport {
-  std::uint64_t dots = 0;
+  std::uint64_t dots = 0;      // 0: no window, and no extent found that could be fitted
   std::uint64_t searched = 0;  // the centre alone did not settle
   std::vector<BrokenDot> broken;
   bool fitted = false;  // a half-size was missing: the fit is the oracle's own estimate, `fit_slack` was allowed
 };
+
+inline constexpr double least_bound = 1.0 / 256;  // dots
+inline constexpr double most_bound = 1.0 / 16;
 
 // Dots. The oracle samples the extent of a scene without a window, and may miss what is thinner than its net.
 inline constexpr double fit_slack = 0.25;

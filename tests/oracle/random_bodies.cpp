@@ -104,14 +104,15 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {{1, 1, 1}, false, -1},  {{1, 1, 1}, false, -1}, {{1, 1, 1}, false, 0},    // ellipsoids, a point
-    {{1, 1, 0}, false, -1},  {{1, 1, 0}, false, -1}, {{1, 1, 0}, false, 0},    // cylinders, a line
-    {{1, 1, -1}, false, 0},  {{1, 1, -1}, false, 0},                           // cones
-    {{1, 1, -1}, false, -1}, {{1, 1, -1}, false, 1},                           // hyperboloids, one and two sheets
-    {{1, 1, 0}, true, 0},    {{1, -1, 0}, true, 0},  {{1, 0, 0}, true, 0},     // paraboloids, parabolic cylinder
-    {{1, -1, 0}, false, -1}, {{1, -1, 0}, false, 0},                           // hyperbolic cylinder, two planes
-    {{1, 0, 0}, false, -1},  {{1, 0, 0}, false, 0},  {{-1, -1, -1}, false, 1}  // parallel and double planes, a ball
+    {{1, 1, 1}, false, -1},  {{1, 1, 1}, false, -1}, {{-1, -1, -1}, false, 1},  // ellipsoids
+    {{1, 1, 0}, false, -1},  {{1, 1, 0}, false, -1},                            // cylinders
+    {{1, 1, -1}, false, 0},  {{1, 1, -1}, false, 0},                            // cones
+    {{1, 1, -1}, false, -1}, {{1, 1, -1}, false, 1},                            // hyperboloids, one and two sheets
+    {{1, 1, 0}, true, 0},    {{1, -1, 0}, true, 0},  {{1, 0, 0}, true, 0},      // paraboloids, parabolic cylinder
+    {{1, -1, 0}, false, -1}, {{1, -1, 0}, false, 0}, {{1, 0, 0}, false, -1},    // hyperbolic cylinder, two planes
+    {{1, 1, 1}, false, 0},   {{1, 1, 0}, false, 0},  {{1, 0, 0}, false, 0}      // a point, a line, a double plane
 };
+constexpr std::int64_t solid_kinds = std::size(kinds) - 3;
 
 std::array<Point, 3> random_forms(Dice& dice) {
   static constexpr std::array<Point, 3> bases[] = {
@@ -142,7 +143,7 @@ void add_linear(RandomHalfSpace& q, std::int64_t weight, const Point& form, cons
 }
 
 RandomHalfSpace random_quadric(Dice& dice, const BodyWish& wish, std::int64_t radius, bool ellipsoid) {
-  const Kind& kind = kinds[ellipsoid ? 0 : dice.below(std::size(kinds))];
+  const Kind& kind = kinds[ellipsoid ? 0 : dice.below(wish.bounded ? solid_kinds : std::size(kinds))];
   const std::array<Point, 3> forms = random_forms(dice);
   const bool round = dice.chance(50);
   RandomHalfSpace q;
@@ -227,10 +228,12 @@ RandomBody random_body(Dice& dice, const BodyWish& wish) {
   const std::int64_t fewest = body.empty() ? 1 : 0;
   for (std::int64_t n = dice.between(fewest, most - static_cast<std::int64_t>(body.size())); n > 0; --n) {
     planes.push_back(random_plane(dice, wish, radius, planes));
+    const bool thin = wish.bounded && value_at(planes.back(), wish.centre) == 0;  // a body may become a line
+    if (thin) continue;
     body.push_back(planes.back());
     face_towards(dice, body.back(), wish.centre, wish.bounded);
   }
-  for (RandomHalfSpace& h : body) h.transparent = dice.chance(8);
+  for (RandomHalfSpace& h : body) h.transparent = !wish.bounded && dice.chance(8);
   shuffle(dice, body);
   return body;
 }

@@ -28,7 +28,7 @@ using RandomBody = std::vector<RandomHalfSpace>;  // 1 .. 8 half-spaces, at most
 struct BodyWish {
   Point centre{};
   std::int64_t span = 4;  // half the size of what shows, in units
-  bool bounded = false;   // for pictures that are fitted to the page
+  bool bounded = false;   // for pictures that are fitted to the page: opaque, and no thin quadric, either
 };
 
 RandomBody random_body(Dice& dice, const BodyWish& wish);
