@@ -16,8 +16,11 @@ namespace halfspace {
 namespace {
 
 constexpr std::int32_t page_limit = 32767;
-// Depths of a body without end are held to the promised bound this many page sizes about the page.
-constexpr int endless_depth = 2;
+// Bounds hold for depths this close to vrp, or to the body where it lies elsewhere. A surface reaches further only
+// where it is nearly parallel to the rays.
+const Real depth_limit = power_of_two(20);
+// A body off the page is rounded where it is, up to here; further off it is rounded for the page, where it is not.
+const Real far_limit = power_of_two(25);
 constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
 
 // What a placed half-space is on the page, and what becomes of it.
@@ -70,11 +73,27 @@ class Flattener {
     const auto view = settle_view(source_, options_.view_id, result_.diagnostics);
     if (!view || is_hopeless()) return false;
     view_ = *view;
-    const Matrix4 to_world = view_to_world(view_);
-    if (!finite(to_world)) {
-      return fail(Severity::error, view_.position, "the view's vectors leave the range of numbers; use milder ones");
+    move_places(view_to_world(view_));
+    return transform_half_spaces();
+  }
+
+  // Half-spaces are transformed from their statements every time, so that only matrices gather rounding.
+  void move_places(const Matrix4& to_former_frame) {
+    for (Matrix4& place : placed_.places) place = product(to_former_frame, place);
+  }
+
+  bool transform_half_spaces() {
+    half_spaces_.clear();
+    for (const PlacedHalfSpace& h : placed_.half_spaces) {
+      PageHalfSpace moved;
+      moved.shape = normalised(transformed(h.shape, placed_.places[h.place]));
+      if (!finite(moved.shape)) {
+        return fail(Severity::error, h.position,
+                    "the transforms and the view take '" + h.name +
+                        "' beyond 10^4900 or below 10^-4900; use milder numbers or fewer copies");
+      }
+      half_spaces_.push_back(std::move(moved));
     }
-    for (PlacedHalfSpace& h : placed_.half_spaces) h.shape = normalised(transformed(h.shape, to_world));
     return true;
   }
 
@@ -86,7 +105,7 @@ class Flattener {
   [[nodiscard]] std::vector<Side> sides_of(const PlacedBody& body) const {
     std::vector<Side> sides;
     for (const HalfSpaceUse& use : body.uses) {
-      sides.push_back({placed_.half_spaces[use.half_space].shape, use.complement});
+      sides.push_back({half_spaces_[use.half_space].shape, use.complement});
     }
     return sides;
   }
@@ -127,20 +146,13 @@ class Flattener {
   // From here on in dots. Clipping planes and the eye plane become the last half-spaces of each body.
   bool localise() {
     append_view_planes();
-    const Matrix4 to_view = page_.dot_to_view();
-    for (PlacedHalfSpace& h : placed_.half_spaces) {
-      half_spaces_.push_back({normalised(transformed(h.shape, to_view)), std::nullopt, no_leader, false, {}});
-      h.shape = half_spaces_.back().shape;
-      if (!finite(h.shape)) {
-        return fail(Severity::error, h.position,
-                    "'" + h.name + "' lies beyond 10^4900 dots on this page; use milder numbers");
-      }
-    }
+    move_places(page_.dot_to_view());
+    if (!transform_half_spaces()) return false;
     for (const PlacedBody& body : placed_.bodies) {
-      const Box box = box_on_page(body);
+      boxes_.push_back(box_of(body));
       for (const HalfSpaceUse& use : body.uses) {
         auto& known = half_spaces_[use.half_space].box;
-        known = known ? around(*known, box) : box;
+        known = known ? around(*known, boxes_.back()) : boxes_.back();
       }
     }
     mate();
@@ -149,9 +161,11 @@ class Flattener {
 
   void append_view_planes() {
     std::vector<HalfSpaceUse> uses;
+    const std::size_t view_frame = placed_.places.size();
+    placed_.places.push_back(identity_matrix);
     const auto append = [&](const RealHalfSpace& shape, bool transparent, const char* name, bool complement) {
       uses.push_back({placed_.half_spaces.size(), complement});
-      placed_.half_spaces.push_back({shape, transparent, name, view_.position});
+      placed_.half_spaces.push_back({shape, view_frame, transparent, name, view_.position});
     };
     if (view_.clipping) {
       append(before_plane(view_, view_.clipping->front), false, "front clipping plane", true);
@@ -179,23 +193,39 @@ class Flattener {
     return box.low[0] >= -1 && box.low[1] >= -1 && box.high[0] <= options_.width && box.high[1] <= options_.height;
   }
 
-  // The part of the body on the page; of a body that lies off the page, all of it.
-  [[nodiscard]] Box box_on_page(const PlacedBody& body) const {
+  // The part of the body on the page; of a body that lies off it all, and the page where even that says nothing.
+  [[nodiscard]] Box box_of(const PlacedBody& body) const {
     std::vector<Side> sides = sides_of(body);
     const Extent whole = extent_of(sides);
-    if (!whole.empty && !whole.unbounded && is_on_page(whole.box)) return whole.box;
+    const bool has_end = !whole.empty && !whole.unbounded;
+    if (has_end && is_on_page(whole.box)) return with_depth_limited(whole.box);
     const std::vector<Side> page = page_sides({0, 0, 0});
     sides.insert(sides.end(), page.begin(), page.end());
     const Extent part = extent_of(sides);
-    if (!part.unbounded && !part.empty) return part.box;
-    if (!part.unbounded && !whole.unbounded && !whole.empty) return whole.box;
-    return endless_box(part);
+    if (!part.empty && !part.unbounded) return with_depth_limited(part.box);
+    if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return with_depth_limited(whole.box);
+    const Box endless = endless_box();
+    return part.empty ? endless : with_depth_limited(around(endless, part.box));
   }
 
-  [[nodiscard]] Box endless_box(const Extent& part) const {
-    const Real depth = endless_depth * Real(std::max(options_.width, options_.height));
-    Box box{{-1, -1, -depth}, {Real(options_.width), Real(options_.height), depth}};
-    if (!part.empty) box = around(box, part.box);
+  static bool is_near(const Box& box) { return larger(largest(box.low), largest(box.high)) <= far_limit; }
+
+  // The page, and twice its size in depth about vrp.
+  [[nodiscard]] Box endless_box() const {
+    const Real width = options_.width;
+    const Real height = options_.height;
+    const Real depth = 2 * larger(width, height);
+    return {{-1, -1, vrp_depth() - depth}, {width, height, vrp_depth() + depth}};
+  }
+
+  [[nodiscard]] Real vrp_depth() const {
+    return view_.perspective ? -dot(difference(view_.vrp, view_.cop), view_.into) * page_.scale_y : Real(0);
+  }
+
+  [[nodiscard]] Box with_depth_limited(Box box) const {
+    const Real middle = smaller(larger(vrp_depth(), box.low[2]), box.high[2]);
+    box.low[2] = larger(box.low[2], middle - depth_limit);
+    box.high[2] = smaller(box.high[2], middle + depth_limit);
     return box;
   }
 
@@ -220,17 +250,19 @@ class Flattener {
       if (!h.box) continue;
       std::optional<Quantised> quantised;
       if (h.leader == no_leader) {
-        quantised = quantise(h.shape, *h.box);
+        quantised = quantise_one(i, *h.box);
       } else {
         auto& plane = planes[h.leader];
-        if (!plane) plane = quantise(h.shape, leaders_[h.leader].all);
+        if (!plane) plane = quantise_one(i, leaders_[h.leader].all);
         quantised = plane;
         if (quantised) quantised->bound = larger(quantised->bound, plane_distance(plane->form, h.shape, *h.box));
       }
       if (!quantised) {
         const PlacedHalfSpace& source = placed_.half_spaces[i];
         fail(Severity::limit, source.position,
-             "'" + source.name + "' cannot be held to its accuracy in integers: its parts differ in size too much");
+             "'" + source.name +
+                 "' cannot be held to its accuracy in integers: it lies too far away for its size; bring its numbers "
+                 "closer together");
         continue;
       }
       h.quantised = std::move(*quantised);
@@ -238,20 +270,25 @@ class Flattener {
     return !is_hopeless();
   }
 
+  [[nodiscard]] std::optional<Quantised> quantise_one(std::size_t half_space, const Box& box) const {
+    const PlacedHalfSpace& h = placed_.half_spaces[half_space];
+    return quantise(h.shape, placed_.places[h.place], box);
+  }
+
   void build() {
-    for (PlacedBody& body : placed_.bodies) {
-      result_.scene.bodies.push_back(build_body(body));
+    for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
+      result_.scene.bodies.push_back(build_body(placed_.bodies[i], boxes_[i]));
       for (const IntegerHalfSpace& h : result_.scene.bodies.back().half_spaces) {
         result_.scene.bound = std::max(result_.scene.bound, h.bound);
       }
     }
   }
 
-  IntegerBody build_body(PlacedBody& source) {
+  IntegerBody build_body(PlacedBody& source, const Box& box) {
     IntegerBody body;
     body.name = std::move(source.name);
     body.position = source.position;
-    set_origin(source, body);
+    set_origin(box, body);
     const IntegerPoint origin{mpz_class(body.origin[0]), mpz_class(body.origin[1]), mpz_class(body.origin[2])};
     std::vector<Side> sides;
     for (const HalfSpaceUse& use : source.uses) {
@@ -269,8 +306,7 @@ class Flattener {
   }
 
   // Near the middle of the body's part on the page.
-  void set_origin(const PlacedBody& source, IntegerBody& body) {
-    const Box box = box_on_page(source);
+  void set_origin(const Box& box, IntegerBody& body) const {
     const Vector3 last{Real(options_.width - 1), Real(options_.height - 1), power_of_two(62)};
     const Vector3 first{0, 0, -power_of_two(62)};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -307,6 +343,7 @@ class Flattener {
   PageMap page_;
   std::vector<PageHalfSpace> half_spaces_;
   std::vector<PlaneMating::Leader> leaders_;
+  std::vector<Box> boxes_;  // of the bodies, in dots
 };
 
 }  // namespace

@@ -56,21 +56,11 @@ void set_normal_matrix(const View& view, const PageMap& page, IntegerLighting& l
   for (std::size_t i = 0; i < 12; ++i) lighting.normal_matrix[i / 4][i % 4] = integers[i];
 }
 
-void warn(Diagnostics& diagnostics, const SourcePosition& position, const std::string& message) {
-  diagnostics.push_back({Severity::warning, position, message});
-}
-
-mpq_class clamped_intensity(const LightStatement& light, Diagnostics& diagnostics) {
+// The parser has warned of intensities outside [0, 1].
+mpq_class clamped_intensity(const LightStatement& light) {
   const mpq_class intensity = decimal_to_rational(light.intensity.text);
-  if (intensity < 0) {
-    warn(diagnostics, light.position, "intensity " + light.intensity.text + " is below 0; 0 is used");
-    return 0;
-  }
-  if (intensity > 1) {
-    warn(diagnostics, light.position, "intensity " + light.intensity.text + " is above 1; 1 is used");
-    return 1;
-  }
-  return intensity;
+  if (intensity < 0) return 0;
+  return intensity > 1 ? mpq_class(1) : intensity;
 }
 
 bool has_four_decimals(const mpq_class& v) { return mpq_class(v * decimal_unit).get_den() == 1; }
@@ -100,7 +90,7 @@ std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view,
   mpq_class parallel = 1;  // the automatic light: 1 0 0 -1
   Vector3 direction{0, 0, -1};
   for (const LightStatement& light : scene.lights) {
-    const mpq_class intensity = clamped_intensity(light, diagnostics);
+    const mpq_class intensity = clamped_intensity(light);
     if (!light.direction) {
       ambient += intensity;
       continue;
@@ -114,8 +104,8 @@ std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view,
     }
   }
   if (ambient > 1) {
-    const SourcePosition position = scene.lights.back().position;
-    warn(diagnostics, position, "the ambient lights add up to more than 1; 1 is used");
+    diagnostics.push_back(
+        {Severity::warning, scene.lights.back().position, "the ambient lights add up to more than 1; 1 is used"});
     ambient = 1;
   }
   IntegerLighting lighting;

@@ -89,10 +89,10 @@ using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
 GroupShapes shapes_of(const Group& group) {
   GroupShapes shapes;
   for (const PlaneStatement& s : group.planes) {
-    shapes[s.id] = {real_half_space(HalfSpaceKind::plane, s.coefficients), s.transparent, s.id, s.position};
+    shapes[s.id] = {real_half_space(HalfSpaceKind::plane, s.coefficients), 0, s.transparent, s.id, s.position};
   }
   for (const QuadricStatement& s : group.quadrics) {
-    shapes[s.id] = {real_half_space(HalfSpaceKind::quadric, s.coefficients), s.transparent, s.id, s.position};
+    shapes[s.id] = {real_half_space(HalfSpaceKind::quadric, s.coefficients), 0, s.transparent, s.id, s.position};
   }
   return shapes;
 }
@@ -104,7 +104,7 @@ class Walk {
   void place(const Group& group, const Matrix4& inverse, const std::string& path) {
     auto shapes = shapes_.find(&group);
     if (shapes == shapes_.end()) shapes = shapes_.emplace(&group, shapes_of(group)).first;
-    PlacedGroup placed{group, shapes->second, inverse, path, {}};
+    PlacedGroup placed{group, shapes->second, inverse, path, {}, {}};
     for (const Placement& placement : group.placements) {
       std::visit([&](const auto& p) { place_one(p, placed); }, placement);
     }
@@ -119,6 +119,7 @@ class Walk {
     const Matrix4& inverse;
     const std::string& path;
     std::unordered_map<std::string, std::size_t> placed;  // half-spaces that a body has used, by id
+    std::optional<std::size_t> place;
   };
 
   void place_one(const BodyStatement& body, PlacedGroup& group) {
@@ -129,12 +130,20 @@ class Walk {
     result_.bodies.push_back(std::move(placed));
   }
 
+  // Of the group that is being placed, which needs one as soon as a body uses a half-space.
+  std::size_t place_of(PlacedGroup& group) {
+    if (!group.place) {
+      group.place = result_.places.size();
+      result_.places.push_back(group.inverse);
+    }
+    return *group.place;
+  }
+
   std::size_t half_space_of(const HalfSpaceReference& reference, PlacedGroup& group) {
     const auto [entry, is_new] = group.placed.emplace(reference.id, result_.half_spaces.size());
     if (is_new) {
       PlacedHalfSpace h = group.shapes.at(reference.id);
-      h.shape = normalised(transformed(h.shape, group.inverse));
-      if (!finite(h.shape)) report_overflow(h);
+      h.place = place_of(group);
       result_.half_spaces.push_back(std::move(h));
     }
     return entry->second;
@@ -166,19 +175,10 @@ class Walk {
         {Severity::error, position, "'" + id + "' scales by 0, which flattens its solids; use a factor other than 0"});
   }
 
-  // One message tells it: every copy of the same statement would repeat it.
-  void report_overflow(const PlacedHalfSpace& h) {
-    if (std::exchange(overflowed_, true)) return;
-    diagnostics_.push_back({Severity::error, h.position,
-                            "the transforms that place '" + h.name +
-                                "' grow or shrink it beyond 10^4900; use milder factors or fewer copies"});
-  }
-
   const BodyCensus& census_;
   Diagnostics& diagnostics_;
   PlacedScene result_;
   std::unordered_map<const Group*, GroupShapes> shapes_;
-  bool overflowed_ = false;
 };
 
 }  // namespace

@@ -11,10 +11,12 @@ namespace {
 
 constexpr int scale_limit = 400;      // bits; a needle of 1 : 10^6 needs about 60
 constexpr int small_plane_bits = 30;  // exact proportions up to here are taken as they are
-constexpr int small_quadric_bits = 40;
+constexpr int small_quadric_bits = 32;
 // A part that counts as 0 although it was there (spectrum.hpp, zero_bits), and a proportion that was taken for exact
 // (rational.hpp), move a surface by no more than these parts of the box, even at a double root.
 constexpr int dropped_part_bits = 36;
+// Shifting a frame by 2^36 of its sizes leaves 2^-76 of noise in a transform, and at most 2^-74 in coefficients.
+constexpr int far_bits = 36;
 
 // The box about an integer origin: every coordinate of it is within `half` of 0.
 struct LocalBox {
@@ -88,6 +90,7 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
   bool is_exact = true;
   for (std::size_t i = 0; i < count; ++i) is_exact = is_exact && to_real(result.form.c[i]) == h.c[i] * most;
   if (!is_exact) result.bound = box.radius * power_of_two(-dropped_part_bits);
+  if (result.bound > box.target) return std::nullopt;
   return result;
 }
 
@@ -162,10 +165,14 @@ Real least_gradient(const ReducedQuadric& reduced) {
   return square_root(least * magnitude(reduced.constant()));
 }
 
-// Ellipsoids and hyperboloids: ten rounded coefficients. An error that is a fraction of the constant keeps the sign
-// of the constant about the rounded centre, so the kind survives.
+// Ellipsoids and hyperboloids: ten rounded coefficients. The kind survives, since an error of the second-order part
+// below its least weight keeps the signs of all weights (Weyl), and one that is a fraction of the constant keeps its
+// sign.
 std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQuadric& reduced, const LocalBox& box) {
   const Real gradient = least_gradient(reduced);
+  const auto& [first, second, third] = reduced.squares;
+  const Real least_weight =
+      smaller(magnitude(first.weight), smaller(magnitude(second.weight), magnitude(third.weight)));
   return least_scale([&](Real scale) -> std::optional<Quantised> {
     Quantised result{{h.kind, {}}, 0};
     std::array<Real, 10> residual{};
@@ -173,8 +180,10 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
       result.form.c[i] = round_to_integer(h.c[i] * scale);
       residual[i] = to_real(result.form.c[i]) - h.c[i] * scale;
     }
+    Real bending = 0;
+    for (std::size_t i = 0; i < 6; ++i) bending += (i < 3 ? 1 : 2) * magnitude(residual[i]);
     const Real error = quadric_reach(residual, box.half) / scale;
-    if (error > magnitude(reduced.constant()) / 4) return std::nullopt;
+    if (bending / scale > least_weight / 4 || error > magnitude(reduced.constant()) / 4) return std::nullopt;
     result.bound = gradient == 0 ? 0 : error / (2 * gradient);
     if (result.bound > box.target) return std::nullopt;
     return result;
@@ -276,13 +285,25 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   return least_scale(SquaresAttempt(reduced, box));
 }
 
+bool is_zero(const RealHalfSpace& h) {
+  for (const Real v : h.c) {
+    if (v != 0) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
-std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Box& box) {
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box) {
   const LocalBox local = local_box(box);
-  Vector3 origin{};
-  for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
-  const RealHalfSpace h = normalised(seen_from(half_space, origin));
+  Matrix4 shift = identity_matrix;
+  for (std::size_t i = 0; i < 3; ++i) {
+    shift[3][i] = to_real(local.origin[i]);
+    if (magnitude(shift[3][i]) > local.radius * power_of_two(far_bits)) return std::nullopt;
+  }
+  const RealHalfSpace h = normalised(transformed(half_space, product(shift, inverse)));
+  if (!finite(h)) return std::nullopt;
+  if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
   auto result = take_exactly(h, local);
   if (!result) result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local);
   if (!result) return std::nullopt;

@@ -17,8 +17,10 @@ struct Quantised {
   Real bound = 0;
 };
 
-// None where no scale below 2^400 meets the target. The half-space is finite, the box is finite.
-[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Box& box);
+// `inverse` takes the dot frame to the half-space's own; `box` is finite. None where no scale below 2^400 meets the
+// target, or where the box lies so far away for its size (2^36 times) that 113 bits say nothing about it.
+[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse,
+                                                const Box& box);
 
 // How far the integer plane lies from the true one within a box, whichever way either is written.
 [[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box);

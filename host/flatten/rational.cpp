@@ -6,16 +6,17 @@
 namespace halfspace {
 namespace {
 
-Real distance_to_whole(Real v) { return magnitude(v - nearest_whole(v)); }
+constexpr int closeness_bits = 84;
 
-// The least convergent denominator, up to `limit`, that takes v to within 2^-60 of an integer; 0 if there is none.
-Real denominator_of(Real v, Real limit) {
-  const Real near = power_of_two(-60);
+bool is_whole(Real v, Real tolerance) { return magnitude(v - nearest_whole(v)) <= tolerance; }
+
+// The least convergent denominator d, up to `limit`, that takes d v to within d * tolerance of an integer; 0 if none.
+Real denominator_of(Real v, Real limit, Real tolerance) {
   Real rest = v - nearest_whole(v);
   Real before = 0;
   Real current = 1;
   while (current <= limit) {
-    if (distance_to_whole(current * v) <= near) return current;
+    if (is_whole(current * v, current * tolerance)) return current;
     if (rest == 0) return 0;
     const Real inverse = 1 / rest;
     const Real quotient = nearest_whole(inverse);
@@ -33,15 +34,16 @@ std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> va
   Real most = 0;
   for (const Real v : values) most = larger(most, magnitude(v));
   const Real limit = power_of_two(bits);
+  const Real tolerance = power_of_two(-closeness_bits);
   Real common = 1;
   for (const Real v : values) {
-    const Real factor = denominator_of(v / most * common, limit / common);
+    const Real factor = denominator_of(v / most * common, limit / common, common * tolerance);
     if (factor == 0) return std::nullopt;
     common *= factor;
   }
   std::vector<mpz_class> result;
   for (const Real v : values) {
-    if (distance_to_whole(v / most * common) > power_of_two(-60)) return std::nullopt;
+    if (!is_whole(v / most * common, common * tolerance)) return std::nullopt;
     result.push_back(round_to_integer(v / most * common));
   }
   return result;
@@ -67,7 +69,7 @@ mpq_class decimal_to_rational(const std::string& text) {
   }
   mpz_class power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
-  const mpz_class whole(digits);
+  const mpz_class whole(digits, 10);  // a leading zero must not make it octal
   mpq_class result = exponent < 0 ? mpq_class(whole, power) : mpq_class(whole * power);
   result.canonicalize();
   return result;

@@ -12,9 +12,9 @@
 
 namespace halfspace {
 
-// Integers below 2^bits in the proportions of `values`, by continued fractions of their ratios to the largest; none
-// unless every ratio is met to within 2^-60 of an integer. Not all values are 0.
-// A chance hit would need a ratio that is within 2^-60 of a fraction with a denominator below 2^bits, bits <= 40.
+// Integers up to 2^bits in the proportions of `values`, by continued fractions of their ratios to the largest; none
+// unless they meet every ratio to within 2^-84. Not all values are 0. That a ratio of no meaning passes by chance has
+// a probability of 2^(2 bits - 84), and then it is as close as any other rounding.
 [[nodiscard]] std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> values, int bits);
 
 // A decimal literal, exactly.

@@ -38,10 +38,7 @@ TEST(Window, PixelAspectStretchesOneAxis) {
   FlattenOptions options = page(100, 200);
   options.aspect_numerator = 2;  // dots twice as wide as high
   const IntegerBody body = flat(small_ball + "view v dop 0 0 -1 whw 2 whh 2;", options).bodies.at(0);
-  EXPECT_EQ(body.x0, 25);
-  EXPECT_EQ(body.x1, 74);
-  EXPECT_EQ(body.y0, 50);
-  EXPECT_EQ(body.y1, 149);
+  EXPECT_EQ((Dots{body.x0, body.y0, body.x1, body.y1}), (Dots{24, 49, 75, 150}));
 }
 
 TEST(Window, MissingHeightFollowsFromTheDeviceAndThePicturesMiddle) {
@@ -85,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fit{"Ball", "quadric s <1 1 1 0 0 0 0 0 0 -9>; body b <s>;", 3}, Fit{"Cube", cube, 1},
         Fit{"TurnedCube", "definition d;" + cube + "enddef; instance i (d =rz 45);", 1.4142135623730951},
         Fit{"CubeOnItsCorner", "definition d;" + cube + "enddef; instance i (d =rz 45 =rx 35.264389682754654);",
-            1.6329931618554521},
+            1.7320508075688772},
         Fit{"Ellipsoid",
             "definition d; quadric s <1 1 1 0 0 0 0 0 0 -1>; body b <s>; enddef;"
             "instance i (d =sx 5 =rz 45);",
