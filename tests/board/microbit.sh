@@ -1,0 +1,108 @@
+#!/bin/bash
+# microbit.sh MAKE_JOB OUT_DIR - draws a scene on QEMU's microbit, compares its dots with the host's byte for byte,
+# prints what it took, and checks that a job too large for the board is refused with need and have.
+# Counts are instructions, not cycles: SysTick under -icount shift=6 (boards/microbit/tick_clock.hpp).
+set -u
+export LC_ALL=C
+
+make_job=$1
+out=$2
+root=$(cd "$(dirname "$0")/../.." && pwd)
+ram_size=16384
+flash_size=262144
+failures=0
+
+fail() {
+  echo "FAILED: $*" >&2
+  failures=$((failures + 1))
+}
+
+need_program() { # program, package
+  command -v "$1" > /dev/null && return
+  echo "FAILED: $1 is missing: apt-get install $2" >&2
+  exit 1
+}
+
+figure() { sed -n "s/^$2 //p" "$1"; } # log, name
+
+# Runs out/$1.elf in a folder of its own; the exit status is the board's.
+run_board() {
+  mkdir "$1" && cd "$1" || return 1
+  timeout 120 qemu-system-arm -M microbit -icount shift=6 -display none -monitor none -serial none \
+    -semihosting-config enable=on,target=native -kernel "../$1.elf" < /dev/null > log 2>&1
+  local status=$?
+  cd ..
+  return $status
+}
+
+# Sections in flash (text, and the values of data), and in RAM (data and bss).
+flash_bytes() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $1 + $2 }'; }
+static_bytes() { arm-none-eabi-size "$1" | awk 'NR == 2 { print $2 + $3 }'; }
+
+# No soft-float helper and no heap: names that libgcc and the C and C++ libraries give them.
+check_symbols() {
+  local float='__aeabi_(f|d|cf|cd|h2f|i2f|ui2f|l2f|ul2f|i2d|ui2d|l2d|ul2d)[a-z0-9_]*'
+  float+='|__(add|sub|mul|div|neg|eq|ne|lt|le|gt|ge|unord|cmp|pow)[sdt]f[0-9i]*'
+  float+='|__(fix|fixuns)[sdt]f[sdt]i|__(float|floatun)[sdt]i[sdt]f|__extend[sdh]f[sdt]f2|__trunc[dt]f[sdh]f2'
+  local heap='malloc|calloc|realloc|free|_sbrk|_Zn[wa]j.*|_Zd[la]Pv.*'
+  local found
+  found=$(arm-none-eabi-nm "$1" | awk '{ print $NF }' | grep -xE "$float|$heap")
+  [ -z "$found" ] || fail "$1 links floating point or a heap: $(echo $found)"
+}
+
+# Draws job $1 and prints its column of the table as a line.
+check_drawn() {
+  local job=$1 log=$1/log
+  check_symbols "$job.elf"
+  if ! run_board "$job"; then
+    fail "$job: the board ended with an error: $(cat "$log")"
+    return
+  fi
+  cmp "$job/dots.bin" "$job.bin" || fail "$job: the board's dots differ from the host's"
+  local flash static arena stack stack_size dots instructions ram
+  flash=$(flash_bytes "$job.elf")
+  static=$(static_bytes "$job.elf")
+  arena=$(figure "$log" need_bytes)
+  stack=$(figure "$log" stack_bytes)
+  stack_size=$(figure "$log" stack_size)
+  dots=$(figure "$log" dots)
+  instructions=$(($(figure "$log" ticks) * 125 / 128))
+  ram=$((static + arena + stack))
+  [ "$dots" -gt 0 ] || fail "$job: nothing was shaded"
+  [ "$flash" -le $flash_size ] || fail "$job: $flash bytes of flash"
+  [ "$ram" -le $ram_size ] || fail "$job: $ram bytes of RAM"
+  [ "$stack" -lt "$stack_size" ] || fail "$job: the stack of $stack_size bytes was all used: enlarge it in microbit.ld"
+  printf '%-16s %8d %8d %8d %8d %8d %8d %12d %10d\n' "$job" "$flash" "$static" "$arena" "$stack" "$ram" "$dots" \
+    "$instructions" $((instructions / dots))
+}
+
+# Job $1 needs more than the board has: status 4, both numbers, and not one dot sent.
+check_refused() {
+  local job=$1 log=$1/log need have
+  run_board "$job"
+  local status=$?
+  [ $status -eq 4 ] || fail "$job: status $status where 4 (refused) was expected: $(cat "$log")"
+  need=$(figure "$log" need_bytes)
+  have=$(figure "$log" have_bytes)
+  [ "${need:-0}" -gt "${have:-0}" ] && [ "${have:-0}" -gt 0 ] || fail "$job: need '$need', have '$have'"
+  [ ! -e "$job/dots.bin" ] || fail "$job: dots were sent before it was refused"
+  echo "$job: refused before drawing, needs $need bytes, has $have"
+}
+
+need_program arm-none-eabi-g++ "gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev"
+need_program qemu-system-arm qemu-system-arm
+
+rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
+scenes=$root/scenes
+"$make_job" "$scenes/tube.uq" 128x64 17 isqrt tube-isqrt &&
+  "$make_job" "$scenes/tube.uq" 128x64 17 jordan tube-jordan &&
+  "$make_job" "$scenes/stack_of_bundles.uq" 640x480 65 isqrt too-large || exit 1
+"$root/boards/microbit/build.sh" "$out" tube-isqrt.cpp tube-jordan.cpp too-large.cpp || exit 1
+
+printf '%-16s %8s %8s %8s %8s %8s %8s %12s %10s\n' "microbit, bytes" flash static arena stack RAM dots \
+  instructions "per dot"
+check_drawn tube-isqrt
+check_drawn tube-jordan
+check_refused too-large
+cmp -s tube-isqrt.bin tube-jordan.bin || fail "the two shaders differ"
+exit $((failures > 0))
