@@ -98,6 +98,10 @@ TEST(ExactOracle, FalseBoxIsReported) {
   EXPECT_EQ(draw(*scene, 0, 1, {true, true}), (std::vector<std::int16_t>{1, 1, 1, -1}));
 }
 
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
 // Pure GMP and the filter: the same dots, faces and sheets.
 TEST(ExactOracle, FilterAgreesWithGmpOnRandomScenes) {
   Statistics filtered, pure;
@@ -111,8 +115,8 @@ TEST(ExactOracle, FilterAgreesWithGmpOnRandomScenes) {
   EXPECT_EQ(pure.exact, pure.questions);
   EXPECT_LT(filtered.exact, filtered.questions / 4);
   EXPECT_GT(shown, filtered.dots / 10);
-  std::cout << "exact " << 100.0 * filtered.exact / filtered.questions << " % of " << filtered.questions
-            << " questions; " << 100.0 * shown / filtered.dots << " % of the dots show a face\n";
+  std::cout << "exact " << percent(filtered.exact, filtered.questions) << " % of " << filtered.questions
+            << " questions; " << percent(shown, filtered.dots) << " % of the dots show a face\n";
 }
 
 TEST(Describe, ReadsWhatItPrints) {
