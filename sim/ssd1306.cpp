@@ -188,7 +188,8 @@ PaperSheet SimulatedSsd1306::glass() const {
     for (int x = 0; x < columns; ++x) {
       const int column = remapped_ ? x : columns - 1 - x;
       const int line = scan_reversed_ ? y : sheet.height - 1 - y;
-      const int bit = memory_[static_cast<std::size_t>(line / 8 * columns + column)] >> line % 8 & 1;
+      const auto at = static_cast<std::size_t>(line / 8) * columns + static_cast<std::size_t>(column);
+      const int bit = memory_[at] >> line % 8 & 1;
       if (!all_lit_ && (bit != 0) == inverted_) continue;
       sheet.dots[static_cast<std::size_t>(y * columns + x) / 8] ^= static_cast<std::uint8_t>(0x80 >> x % 8);
     }

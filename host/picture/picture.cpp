@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -103,7 +104,7 @@ std::optional<Picture> read_picture(const std::string& path) {
   if (!in || in->spec().nchannels != 1) return std::nullopt;
   const OIIO::ImageSpec& spec = in->spec();
   Picture picture{.width = spec.width, .height = spec.height, .bits = 8};
-  picture.dpi = static_cast<std::int32_t>(spec.get_float_attribute("XResolution") + 0.5F);
+  picture.dpi = static_cast<std::int32_t>(std::lround(spec.get_float_attribute("XResolution")));
   picture.dots.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
   if (!in->read_image(0, 0, 0, 1, OIIO::TypeDesc::UINT8, picture.dots.data())) return std::nullopt;
   return picture;

@@ -70,7 +70,7 @@ Bytes pwg_page(std::uint8_t width, std::uint8_t height, const Bytes& body) {
   stream[4 + 387] = stream[4 + 391] = 1;
   stream[4 + 395] = static_cast<std::uint8_t>((width + 7) / 8);
   stream[4 + 403] = 3;
-  stream.insert(stream.end(), body.begin(), body.end());
+  for (const std::uint8_t byte : body) stream.push_back(byte);
   return stream;
 }
 
