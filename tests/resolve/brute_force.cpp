@@ -92,30 +92,55 @@ bool arc_exists(const Arc& arc, const mpz_class& y) {
 
 using FaceKey = std::tuple<std::uint32_t, std::uint32_t, Sheet>;
 
-}  // namespace
-
-bool shows(const IntegerBody& body, std::uint32_t half_space, Sheet sheet, int i, int j) {
-  const mpz_class x = i - body.origin[0];
-  const mpz_class y = j - body.origin[1];
+// Does the sheet exist on this ray, with every other half-space of the body holding there?
+bool shows(const IntegerBody& body, const std::vector<OnRay>& rays, std::uint32_t half_space, Sheet sheet) {
   if (body.half_spaces[half_space].transparent) return false;
-  const auto z = depth_of(on_ray(body.half_spaces[half_space], x, y), sheet);
+  const auto z = depth_of(rays[half_space], sheet);
   if (!z) return false;
-  for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
+  for (std::uint32_t k = 0; k < rays.size(); ++k) {
     if (k == half_space) continue;
-    const int sign = sign_at(on_ray(body.half_spaces[k], x, y), *z);
+    const int sign = sign_at(rays[k], *z);
     if (body.half_spaces[k].complement ? sign < 0 : sign > 0) return false;
   }
   return true;
 }
 
+std::vector<OnRay> rays_at(const IntegerBody& body, int i, int j) {
+  std::vector<OnRay> rays;
+  const mpz_class x = i - body.origin[0];
+  const mpz_class y = j - body.origin[1];
+  for (const IntegerHalfSpace& h : body.half_spaces) rays.push_back(on_ray(h, x, y));
+  return rays;
+}
+
 bool in_cell(const IntegerScene& scene, const ResolvedScene& resolved, const Cell& cell, int i, int j) {
-  if (j < cell.y0 || j > cell.y1) return false;
   const IntegerBody& body = scene.bodies[resolved.faces[cell.face].body];
   const mpz_class x = i - body.origin[0];
   const mpz_class y = j - body.origin[1];
   return (cell.left == no_arc || at_or_right_of(resolved.arcs[cell.left], x, y)) &&
          (cell.right == no_arc || at_or_left_of(resolved.arcs[cell.right], x, y));
 }
+
+// In how many cells and spans of its face each dot of the page is; one vector a face.
+std::vector<std::vector<int>> coverage(const IntegerScene& scene, const ResolvedScene& resolved) {
+  const auto width = static_cast<std::size_t>(scene.width);
+  const auto dots = width * static_cast<std::size_t>(scene.height);
+  std::vector<std::vector<int>> cover(resolved.faces.size(), std::vector<int>(dots));
+  const auto at = [width](int i, int j) { return static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i); };
+  for (const Cell& cell : resolved.cells) {
+    for (int j = cell.y0; j <= cell.y1; ++j) {
+      for (int i = scene.scissor.x0; i <= scene.scissor.x1; ++i) {
+        cover[cell.face][at(i, j)] += in_cell(scene, resolved, cell, i, j) ? 1 : 0;
+      }
+    }
+  }
+  for (const LineSpan& span : resolved.spans) {
+    for (int i = span.x0; i <= span.x1; ++i) ++cover[span.face].at(at(i, span.y));
+  }
+  return cover;
+}
+
+}  // namespace
 
 std::optional<std::string> broken_structure(const IntegerScene& scene, const ResolvedScene& resolved) {
   for (std::size_t a = 0; a < resolved.arcs.size(); ++a) {
@@ -152,32 +177,28 @@ std::optional<std::string> wrong_dot(const IntegerScene& scene, const ResolvedSc
   for (std::uint32_t f = 0; f < resolved.faces.size(); ++f) {
     index[{resolved.faces[f].body, resolved.faces[f].half_space, resolved.faces[f].sheet}] = f;
   }
-  const auto width = static_cast<std::size_t>(scene.width);
-  std::vector<std::vector<int>> cover(resolved.faces.size(),
-                                      std::vector<int>(width * static_cast<std::size_t>(scene.height)));
-  const auto at = [width](int i, int j) { return static_cast<std::size_t>(j) * width + static_cast<std::size_t>(i); };
-  const Scissor& s = scene.scissor;
-  for (const Cell& cell : resolved.cells) {
-    for (int j = cell.y0; j <= cell.y1; ++j) {
-      for (int i = s.x0; i <= s.x1; ++i) cover[cell.face][at(i, j)] += in_cell(scene, resolved, cell, i, j) ? 1 : 0;
-    }
-  }
-  for (const LineSpan& span : resolved.spans) {
-    for (int i = span.x0; i <= span.x1; ++i) ++cover[span.face][at(i, span.y)];
-  }
-  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
-    for (std::uint32_t h = 0; h < scene.bodies[b].half_spaces.size(); ++h) {
+  const std::vector<std::vector<int>> cover = coverage(scene, resolved);
+  const auto wrong_on = [&](std::uint32_t b, int i, int j) -> std::optional<std::string> {
+    const IntegerBody& body = scene.bodies[b];
+    const std::vector<OnRay> rays = rays_at(body, i, j);
+    for (std::uint32_t h = 0; h < rays.size(); ++h) {
       for (const Sheet sheet : {Sheet::only, Sheet::front, Sheet::back}) {
         const auto face = index.find({b, h, sheet});
-        for (int j = s.y0; j <= s.y1; ++j) {
-          for (int i = s.x0; i <= s.x1; ++i) {
-            const int have = face == index.end() ? 0 : cover[face->second][at(i, j)];
-            if (have == (shows(scene.bodies[b], h, sheet, i, j) ? 1 : 0)) continue;
-            return "body " + std::to_string(b) + " half-space " + std::to_string(h) + " sheet " +
-                   std::to_string(static_cast<int>(sheet)) + " dot (" + std::to_string(i) + ", " + std::to_string(j) +
-                   "): in " + std::to_string(have) + " cells";
-          }
-        }
+        const auto dot =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(scene.width) + static_cast<std::size_t>(i);
+        const int have = face == index.end() ? 0 : cover[face->second][dot];
+        if (have == (shows(body, rays, h, sheet) ? 1 : 0)) continue;
+        return "body " + std::to_string(b) + " half-space " + std::to_string(h) + " sheet " +
+               std::to_string(static_cast<int>(sheet)) + " dot (" + std::to_string(i) + ", " + std::to_string(j) +
+               "): in " + std::to_string(have) + " cells";
+      }
+    }
+    return std::nullopt;
+  };
+  for (std::uint32_t b = 0; b < scene.bodies.size(); ++b) {
+    for (int j = scene.scissor.y0; j <= scene.scissor.y1; ++j) {
+      for (int i = scene.scissor.x0; i <= scene.scissor.x1; ++i) {
+        if (auto wrong = wrong_on(b, i, j)) return wrong;
       }
     }
   }

@@ -9,12 +9,6 @@
 
 namespace halfspace::test {
 
-// Does the sheet exist at page dot (i, j), with every other half-space of the body holding there?
-[[nodiscard]] bool shows(const IntegerBody& body, std::uint32_t half_space, Sheet sheet, int i, int j);
-
-// Is page dot (i, j) in the cell, by the signs of its arcs' curves?
-[[nodiscard]] bool in_cell(const IntegerScene& scene, const ResolvedScene& resolved, const Cell& cell, int i, int j);
-
 // The first broken promise of resolved_scene.hpp that the structure alone shows, or none.
 [[nodiscard]] std::optional<std::string> broken_structure(const IntegerScene& scene, const ResolvedScene& resolved);
 
