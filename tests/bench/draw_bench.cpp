@@ -57,15 +57,15 @@ class Nowhere final : public BandSink {
 void draw_page(benchmark::State& state, const std::string& name, bool with_bodies, Shader shader) {
   const JobResult job = job_of(name, with_bodies);
   std::vector<std::uint64_t> memory(memory_needed(job.header, band_rows) / 8 + 1);
-  const auto draw_once = [&](bool measure) {
+  const auto draw_once = [&] {
     MemorySource source(job.bytes);
     Nowhere sink;
     return draw(source, sink, std::as_writable_bytes(std::span(memory)),
-                {.shader = shader, .band_rows = band_rows, .measure = measure}, ArcModules(all_arc_modules));
+                {.shader = shader, .band_rows = band_rows, .measure = false}, ArcModules(all_arc_modules));
   };
-  const DrawResult counted = draw_once(true);
+  const DrawResult counted = draw_once();
   if (counted.status != DrawStatus::ok) state.SkipWithError("the core refuses the job");
-  for (auto _ : state) benchmark::DoNotOptimize(draw_once(false).status);
+  for (auto _ : state) benchmark::DoNotOptimize(draw_once().status);
   state.counters["dots"] = static_cast<double>(counted.counters.dots);
 }
 
