@@ -4,6 +4,7 @@
 
 #include "firmware/core/exact.hpp"
 #include "firmware/core/isqrt.hpp"
+#include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
 namespace {
@@ -17,7 +18,8 @@ struct Approximate {
   int shift = 0;
 };
 
-Approximate leading(const Int& value) {
+template <int Bits>
+Approximate leading(const Wide<Bits>& value) {
   const int shift = std::max(0, value.bit_length() - 62);
   return {scaled(value, shift), shift == 0 ? 0 : 1, shift};
 }
@@ -26,7 +28,8 @@ constexpr DepthSample unrepresentable{0, -1};
 constexpr std::int64_t largest_depth = std::int64_t{1} << 46;  // 2^30 dots: sums of four stay inside 64 bits
 
 // n / d in dots, fixed point. The denominator keeps 31 bits, so the quotient is good to one part in 2^29.
-DepthSample quotient(Approximate n, const Int& d) {
+template <int Bits>
+DepthSample quotient(Approximate n, const Wide<Bits>& d) {
   const bool negative = d.negative();
   const int d_shift = std::max(0, d.bit_length() - 31);
   const std::int64_t divisor = scaled(d.magnitude(), d_shift);
@@ -50,22 +53,28 @@ DepthSample quotient(Approximate n, const Int& d) {
 }
 
 // -b + sheet sqrt(D), both terms on the scale of the larger.
-Approximate root_numerator(const Int& b, const Int& discriminant, int sheet) {
-  const Int d = discriminant.negative() ? Int() : discriminant;
-  const int root_shift = (d.bit_length() - 61) >> 1;
-  const int shift = std::max(root_shift, b.bit_length() - 60);
-  const auto root = static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(scaled(d, 2 * shift))));
-  return {-scaled(b, shift) + sheet * root, 3, shift};
+Approximate root_numerator(const ActiveFace& f, std::int32_t x, std::int32_t y) {
+  const ScaledQuadratic& form = f.surface.discriminant;
+  Wide<128> d = form.at(x, y);
+  if (d.negative()) d = Wide<128>();
+  const int exponent = form.exponent / 2;
+  // A rounded D must be off by less than a unit of what is kept.
+  const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
+  const Wide<128> b = f.c[5].times(x) + f.c[4].times(y) + f.c[8];
+  const int root_shift = std::max({(d.bit_length() - 61) >> 1, least, b.bit_length() - 60 - exponent});
+  const auto root = static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(scaled(d, 2 * root_shift))));
+  return {-scaled(b, root_shift + exponent) + f.sheet * root, 4, root_shift + exponent};
 }
 
-DepthSample local_depth(const ActiveFace& f, const Int& x, const Int& y) {
+DepthSample local_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) {
+  if (f.kind == FaceKind::root) return quotient(root_numerator(f, x, y), f.c[2]);
+  if (f.kind == FaceKind::plane) return quotient(leading(-(f.c[0].times(x) + f.c[1].times(y) + f.c[3])), f.c[2]);
   const auto c = [&f](int i) { return Int(f.c[i]); };
-  if (f.kind == FaceKind::plane) return quotient(leading(-(c(0) * x + c(1) * y + c(3))), c(2));
-  const Int b = c(5) * x + c(4) * y + c(8);
-  const Int two_x = x + x;
-  const Int rest = x * (c(0) * x + c(6) + c(6)) + y * (c(3) * two_x + c(1) * y + c(7) + c(7)) + c(9);
-  if (f.kind == FaceKind::rational) return b.is_zero() ? unrepresentable : quotient(leading(-rest), b + b);
-  return quotient(root_numerator(b, b * b - c(2) * rest, f.sheet), c(2));
+  const Int b = c(5).times(x) + c(4).times(y) + c(8);
+  const Int linear_x = c(0).times(x) + (c(3).times(y) + c(6)).times(2);
+  const Int linear_y = c(1).times(y) + c(7).times(2);
+  const Int rest = linear_x.times(x) + linear_y.times(y) + c(9);
+  return b.is_zero() ? unrepresentable : quotient(leading(-rest), b + b);
 }
 
 // Bounds of f - g at the two ends of a half run, as explained in the header.
@@ -98,9 +107,8 @@ int settled(const DepthSample (&f)[3], const DepthSample (&g)[3], int end) {
 }  // namespace
 
 DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y) {
-  const std::int64_t lx = static_cast<std::int64_t>(x) - face.origin_x;
-  const std::int64_t ly = static_cast<std::int64_t>(y) - face.origin_y;
-  DepthSample s = local_depth(face, lx, ly);
+  DepthSample s = local_depth(face, x - face.origin_x, y - face.origin_y);
+  if (s.error < 0) return s;
   constexpr std::int64_t most = largest_depth >> depth_fraction;
   if (face.origin_z > most || -face.origin_z > most) return unrepresentable;
   s.z += face.origin_z * (std::int64_t{1} << depth_fraction);

@@ -4,6 +4,7 @@
 
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
+#include "firmware/core/root_surface.hpp"
 #include "firmware/core/row_painter.hpp"
 #include "firmware/core/shade.hpp"
 #include "firmware/core/span_list.hpp"
@@ -148,7 +149,9 @@ class Engine {
           break;
         default: {
           const std::uint16_t face = slot(p_.faces.size());
-          if (!in_.failed()) read_face(in_, type_, p_.faces[face]);
+          if (in_.failed()) break;
+          read_face(in_, type_, p_.faces[face]);
+          if (type_ == Record::root_face) make_root_surface(p_.faces[face], h_.lighting);
         }
       }
       if (in_.failed()) {
@@ -164,8 +167,8 @@ class Engine {
     const std::int32_t kind = in_.number_in(0, arc_kinds - 1);
     ArcStart start;
     start.branch = static_cast<ArcBranch>(in_.number_in(0, 2));
-    start.origin_x = in_.number_in(-(1 << 24), 1 << 24);
-    start.origin_y = in_.number_in(-(1 << 24), 1 << 24);
+    start.origin_x = in_.number_in(-largest_origin, largest_origin);
+    start.origin_y = in_.number_in(-largest_origin, largest_origin);
     const std::int16_t last = last_line(y);
     start.x_min = h_.x0;
     start.x_max = h_.x1;
@@ -285,8 +288,10 @@ class Engine {
       if (face.kind == FaceKind::plane) {
         ++counters.level_spans;
         painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
+      } else if (face.kind == FaceKind::root) {
+        shade_root_span({face, h_.lighting, levels_, painter_, counters}, options_.shader, y, span.x0, span.x1);
       } else {
-        shade_span(face, h_.lighting, levels_, options_.shader, y, span.x0, span.x1, painter_, counters);
+        shade_rational_span({face, h_.lighting, levels_, painter_, counters}, y, span.x0, span.x1);
       }
     }
   }

@@ -11,42 +11,56 @@ struct Depth {
   int s = 0;
 };
 
-// Coefficient i of the face.
+// Stack  A 768-bit number takes 96 bytes, and these functions run on controllers with a few KB of stack. So sums grow in
+//        place, and each stage is a frame of its own that is gone before the next one begins: never inlined.
+#define HALFSPACE_STAGE [[gnu::noinline]]
+
 Int coefficient(const ActiveFace& face, int i) { return Int(face.c[i]); }
 
 // k0 x + k1 y + k2, by the face's coefficient numbers.
-Int linear(const ActiveFace& f, int k0, int k1, int k2, const Int& x, const Int& y) {
-  return coefficient(f, k0) * x + coefficient(f, k1) * y + coefficient(f, k2);
+HALFSPACE_STAGE Int linear(const ActiveFace& f, int k0, int k1, int k2, std::int64_t x, std::int64_t y) {
+  Int sum = coefficient(f, k0) * Int(x);
+  sum += coefficient(f, k1) * Int(y);
+  sum += coefficient(f, k2);
+  return sum;
 }
 
-Depth depth_at(const ActiveFace& f, const Int& x, const Int& y) {
+// x (c0 x + c3 y + c6) + y (c3 x + c1 y + c7) + (c6 x + c7 y + c9)
+HALFSPACE_STAGE Int quadratic(const ActiveFace& f, std::int64_t x, std::int64_t y) {
+  Int sum = linear(f, 0, 3, 6, x, y) * Int(x);
+  sum += linear(f, 3, 1, 7, x, y) * Int(y);
+  sum += linear(f, 6, 7, 9, x, y);
+  return sum;
+}
+
+HALFSPACE_STAGE Depth depth_at(const ActiveFace& f, std::int64_t x, std::int64_t y) {
   Depth z;
   if (f.kind == FaceKind::plane) {
     z.p = -linear(f, 0, 1, 3, x, y);
     z.d = coefficient(f, 2);
     return z;
   }
-  const Int b = linear(f, 5, 4, 8, x, y);
-  // c = x (c0 x + c3 y + c6) + y (c3 x + c1 y + c7) + (c6 x + c7 y + c9)
-  const Int c = x * linear(f, 0, 3, 6, x, y) + y * linear(f, 3, 1, 7, x, y) + linear(f, 6, 7, 9, x, y);
+  z.p = linear(f, 5, 4, 8, x, y);  // b
+  z.q = quadratic(f, x, y);        // c
   if (f.kind == FaceKind::rational) {
-    z.p = -c;
-    z.d = b + b;
+    z.d = z.p + z.p;
+    z.p = -z.q;
+    z.q = Int();
     if (z.d.negative()) {
       z.p = -z.p;
       z.d = -z.d;
     }
     return z;
   }
-  z.p = -b;
   z.d = coefficient(f, 2);
-  z.q = b * b - z.d * c;
+  z.q = z.p * z.p - z.d * z.q;
+  z.p = -z.p;
   z.s = z.q.is_zero() ? 0 : f.sheet;
   return z;
 }
 
 // sign(P + R sqrt(q)), q >= 0.
-int sign_of_radical(const Int& p, const Int& r, const Int& q) {
+HALFSPACE_STAGE int sign_of_radical(const Int& p, const Int& r, const Int& q) {
   const int sp = p.sign();
   const int sr = q.is_zero() ? 0 : r.sign();
   if (sp == 0 || sr == 0 || sp == sr) return sp != 0 ? sp : sr;
@@ -54,7 +68,7 @@ int sign_of_radical(const Int& p, const Int& r, const Int& q) {
 }
 
 // sign(A + B sqrt(q1) + C sqrt(q2)): the sign of the roots' sum S against A, then A^2 against S^2.
-int sign_of_two_radicals(const Int& a, const Int& b, const Int& q1, const Int& c, const Int& q2) {
+HALFSPACE_STAGE int sign_of_two_radicals(const Int& a, const Int& b, const Int& q1, const Int& c, const Int& q2) {
   const Int b2q1 = b * b * q1;
   const Int c2q2 = c * c * q2;
   const int sb = b2q1.is_zero() ? 0 : b.sign();
@@ -67,18 +81,68 @@ int sign_of_two_radicals(const Int& a, const Int& b, const Int& q1, const Int& c
   return sa * sign_of_radical(a * a - b2q1 - c2q2, -(bc + bc), q1 * q2);
 }
 
-Int local(std::int32_t page, std::int32_t origin) { return static_cast<std::int64_t>(page) - origin; }
+std::int64_t local(std::int32_t page, std::int32_t origin) { return static_cast<std::int64_t>(page) - origin; }
 
-// U + V sqrt(q): one component of the normal, times d.
+// U + V sqrt(q).
 struct RootForm {
   Int u, v;
 };
 
-// d * (homogeneous page-frame gradient component j) at the face point.
-RootForm gradient(const ActiveFace& f, int j, const Int& x, const Int& y, const Depth& z) {
+// d * (homogeneous gradient component j, in the face's frame) at the face point.
+HALFSPACE_STAGE RootForm gradient(const ActiveFace& f, int j, std::int64_t x, std::int64_t y, const Depth& z) {
   static constexpr std::uint8_t row[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
   const Int slope = coefficient(f, row[j][2]);
-  return {linear(f, row[j][0], row[j][1], row[j][3], x, y) * z.d + slope * z.p, slope * Int(z.s)};
+  RootForm g{linear(f, row[j][0], row[j][1], row[j][3], x, y) * z.d, slope * Int(z.s)};
+  g.u += slope * z.p;
+  return g;
+}
+
+// d N = M g, g in the page frame: gw(page) = gw(local) - o . g, so M's last column times -o joins the other three.
+HALFSPACE_STAGE std::array<RootForm, 3> normal_at(const ActiveFace& face, const Lighting& lighting, std::int64_t x,
+                                                  std::int64_t y, const Depth& z) {
+  const std::array<std::int64_t, 4> origin{face.origin_x, face.origin_y, face.origin_z, 0};
+  std::array<RootForm, 3> n;
+  for (int j = 0; j < 4; ++j) {
+    const RootForm g = gradient(face, j, x, y, z);
+    for (int i = 0; i < 3; ++i) {
+      const Int m = Int(lighting.matrix[i][j]) - Int(lighting.matrix[i][3]) * Int(origin[j]);
+      n[i].u += m * g.u;
+      n[i].v += m * g.v;
+    }
+  }
+  return n;
+}
+
+// What the level at a face point depends on: d (l . N), and d^2 |N|^2 = square.u + 2 square.v sqrt(q).
+struct LitNormal {
+  RootForm light, square;
+};
+
+HALFSPACE_STAGE LitNormal lit_normal(const ActiveFace& face, const Lighting& lighting, std::int64_t x, std::int64_t y,
+                                     const Depth& z) {
+  const std::array<RootForm, 3> n = normal_at(face, lighting, x, y, z);
+  LitNormal lit;
+  for (int i = 0; i < 3; ++i) {
+    lit.light.u += Int(lighting.light[i]) * n[i].u;
+    lit.light.v += Int(lighting.light[i]) * n[i].v;
+    lit.square.u += n[i].u * n[i].u;
+    lit.square.u += n[i].v * n[i].v * z.q;
+    lit.square.v += n[i].u * n[i].v;
+  }
+  return lit;
+}
+
+// sign(scale^2 (l . N)^2 - t2 |N|^2)
+HALFSPACE_STAGE int sign_against(const LitNormal& lit, const Int& q, std::int64_t scale, const Int& t2) {
+  const Int scale2 = Int(scale) * Int(scale);
+  Int p = lit.light.v * lit.light.v * q;
+  p += lit.light.u * lit.light.u;
+  p = p * scale2;
+  p -= t2 * lit.square.u;
+  Int r = scale2 * lit.light.u * lit.light.v;
+  r -= t2 * lit.square.v;
+  r += r;
+  return sign_of_radical(p, r, q);
 }
 
 }  // namespace
@@ -97,39 +161,15 @@ bool reaches_level(const ActiveFace& face, const Lighting& lighting, std::int32_
   const std::int64_t threshold =
       static_cast<std::int64_t>(k) * lighting.unit - static_cast<std::int64_t>(levels - 1) * lighting.ambient;
   if (threshold <= 0) return true;
-  const Int lx = local(x, face.origin_x);
-  const Int ly = local(y, face.origin_y);
+  const std::int64_t lx = local(x, face.origin_x);
+  const std::int64_t ly = local(y, face.origin_y);
   const Depth z = depth_at(face, lx, ly);
-  std::array<RootForm, 4> g;
-  for (int j = 0; j < 4; ++j) g[j] = gradient(face, j, lx, ly, z);
-  // gw(page) = gw(local) - o . g
-  const std::array<std::int64_t, 3> origin{face.origin_x, face.origin_y, face.origin_z};
-  for (int j = 0; j < 3; ++j) {
-    g[3].u -= Int(origin[j]) * g[j].u;
-    g[3].v -= Int(origin[j]) * g[j].v;
-  }
-  RootForm light;  // l . N
-  Int nu, nv;      // |N|^2 = nu + nv sqrt(q)
+  const LitNormal lit = lit_normal(face, lighting, lx, ly, z);
+  if (face.light_sign * sign_of_radical(lit.light.u, lit.light.v, z.q) <= 0) return false;
   std::int64_t l2 = 0;
-  for (int i = 0; i < 3; ++i) {
-    RootForm n;
-    for (int j = 0; j < 4; ++j) {
-      n.u += Int(lighting.matrix[i][j]) * g[j].u;
-      n.v += Int(lighting.matrix[i][j]) * g[j].v;
-    }
-    nu += n.u * n.u + n.v * n.v * z.q;
-    nv += n.u * n.v;
-    light.u += Int(lighting.light[i]) * n.u;
-    light.v += Int(lighting.light[i]) * n.v;
-    l2 += static_cast<std::int64_t>(lighting.light[i]) * lighting.light[i];
-  }
-  if (face.light_sign * sign_of_radical(light.u, light.v, z.q) <= 0) return false;
-  const Int scale = static_cast<std::int64_t>(levels - 1) * lighting.parallel;
-  const Int scale2 = scale * scale;
-  const Int t2 = Int(threshold) * Int(threshold) * Int(l2);
-  const Int p = scale2 * (light.u * light.u + light.v * light.v * z.q) - t2 * nu;
-  const Int half_r = scale2 * light.u * light.v - t2 * nv;
-  return sign_of_radical(p, half_r + half_r, z.q) >= 0;
+  for (const std::int64_t l : lighting.light) l2 += l * l;
+  const std::int64_t scale = static_cast<std::int64_t>(levels - 1) * lighting.parallel;
+  return sign_against(lit, z.q, scale, Int(threshold) * Int(threshold) * Int(l2)) >= 0;
 }
 
 bool is_absent(const ActiveFace& face, std::int32_t x, std::int32_t y) {

@@ -18,8 +18,37 @@ namespace halfspace {
 
 enum class FaceKind : std::uint8_t { plane, root, rational };
 
+// A polynomial in x and y, value = (q0 x^2 + q1 x y + q2 y^2 + q3 x + q4 y + q5) 2^exponent. The coefficients are rounded
+// down to make every value fit; with exponent 0 they are exact.
+struct ScaledQuadratic {
+  std::array<Wide<128>, 6> q;
+  std::int16_t exponent = 0;
+
+  [[nodiscard]] Wide<128> at(std::int32_t x, std::int32_t y) const {
+    return (q[0].times(x) + q[1].times(y) + q[3]).times(x) + (q[2].times(y) + q[4]).times(y) + q[5];
+  }
+};
+struct ScaledLinear {
+  std::array<Wide<128>, 3> q;  // q0 x + q1 y + q2
+  std::int16_t exponent = 0;
+
+  [[nodiscard]] Wide<128> at(std::int32_t x, std::int32_t y) const { return q[0].times(x) + q[1].times(y) + q[2]; }
+};
+
+// A root face over the page: what the filters of depth.hpp and root_shade.cpp walk on. With s = sqrt(D) 2^-e, 2e the
+// discriminant's exponent, and the face's own sheet sign taken in:
+//   light . N  = light + light_root s        |N|^2 = square + square_root s
+struct RootSurface {
+  ScaledQuadratic discriminant;  // its exponent is even
+  ScaledLinear light;
+  Wide<128> light_root;
+  ScaledQuadratic square;
+  ScaledLinear square_root;
+};
+
 struct ActiveFace {
   std::array<Wide<128>, 10> c;
+  RootSurface surface;  // of a root face
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
   std::uint32_t order = 0;  // of equally near faces the lowest wins
@@ -32,8 +61,8 @@ struct ActiveFace {
 // Reads what follows the slot number in a face record.
 inline void read_face(JobReader& in, Record type, ActiveFace& face) {
   face.order = in.unsigned_number();
-  face.origin_x = in.number_in(-(1 << 24), 1 << 24);
-  face.origin_y = in.number_in(-(1 << 24), 1 << 24);
+  face.origin_x = in.number_in(-largest_origin, largest_origin);
+  face.origin_y = in.number_in(-largest_origin, largest_origin);
   face.origin_z = in.number();
   face.kind = type == Record::plane_face  ? FaceKind::plane
               : type == Record::root_face ? FaceKind::root

@@ -30,6 +30,9 @@ enum class Shader : std::uint8_t { isqrt, jordan };
 
 inline constexpr std::uint16_t no_slot = 0xffff;
 
+// A local frame's x and y origin, in page dots: near the page, so that local coordinates stay under 2^17.
+inline constexpr std::int32_t largest_origin = 1 << 16;
+
 // The lighting of design section 5 as integers: intensity = (ambient + parallel * max(0, cos)) / unit,
 // with N = matrix * (homogeneous page-frame gradient). Ranges: |matrix|, |light| <= 2^15; unit <= 2^16.
 struct Lighting {

@@ -81,6 +81,19 @@ class Wide {
     return negate ? -product : product;
   }
 
+  // The product with a small number: one pass over the limbs, no sign handling (modulo 2^Bits it comes out right).
+  constexpr Wide times(std::int32_t n) const {
+    Wide r;
+    const auto magnitude = static_cast<Limb>(n < 0 ? -static_cast<std::int64_t>(n) : n);
+    Limb carry = 0;
+    for (int i = 0; i < limbs; ++i) {
+      const DoubleLimb t = static_cast<DoubleLimb>(limb_[i]) * magnitude + carry;
+      r.limb_[i] = static_cast<Limb>(t);
+      carry = static_cast<Limb>(t >> limb_bits);
+    }
+    return n < 0 ? -r : r;
+  }
+
   // Left shift by 0 .. Bits - 1; arithmetic right shift (towards minus infinity) by any amount.
   constexpr Wide operator<<(int count) const {
     Wide r;
@@ -175,6 +188,7 @@ constexpr std::int64_t scaled(const Wide<Bits>& value, int shift) {
 
 static_assert((Wide<128>(-3) * Wide<128>(5)).low64() == -15);
 static_assert(((Wide<128>(1) << 100) - Wide<128>(1)).bit_length() == 100);
+static_assert(Wide<128>(-3).times(-5) == Wide<128>(15) && Wide<128>(-3).times(7) == Wide<128>(-21));
 static_assert((Wide<128>(-1) >> 90).low64() == -1);
 static_assert(Wide<192>(-7) < Wide<192>(3) && Wide<192>(Wide<64>(-7)).low64() == -7);
 

@@ -22,8 +22,7 @@ struct Lifetime {
 
 // Assigns slots in order of entry, the lowest free one first; returns how many are needed.
 std::int32_t assign_slots(std::vector<Lifetime>& lives) {
-  std::stable_sort(lives.begin(), lives.end(),
-                   [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
+  std::stable_sort(lives.begin(), lives.end(), [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
   using Busy = std::pair<std::int32_t, std::uint32_t>;  // last line, slot
   std::priority_queue<Busy, std::vector<Busy>, std::greater<>> busy;
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
@@ -110,12 +109,14 @@ void JobWriter::check_faces() {
     const FaceBits bits = face_bits(scene_, body, half_space);
     const auto too_wide = [](const mpz_class& c) { return bits_of(c) > 127; };
     std::optional<std::string> fault = check_face(scene_, bits);
+    if (std::abs(body.origin[0]) > largest_origin || std::abs(body.origin[1]) > largest_origin) {
+      fault = "its local frame lies more than " + std::to_string(largest_origin) + " dots off";
+    }
     if (std::any_of(half_space.c.begin(), half_space.c.end(), too_wide))
       fault = "its coefficients need more than 127 bits";
     if (fault) {
-      limit(half_space.position, "'" + half_space.name + "' in body '" + body.name +
-                                     "' is too large or too far: " + *fault +
-                                     "; move it nearer to the page or draw it smaller");
+      limit(half_space.position, "'" + half_space.name + "' in body '" + body.name + "' is too large or too far: " +
+                                     *fault + "; move it nearer to the page or draw it smaller");
     }
     largest.p = std::max(largest.p, bits.p);
     largest.q = std::max(largest.q, bits.q);
@@ -129,8 +130,8 @@ void JobWriter::check_faces() {
     const std::optional<ArcKind> kind = arc_kind(scene_, arc);
     if (!kind) {
       const IntegerBody& body = scene_.bodies[arc.body];
-      limit(body.position, "an edge of body '" + body.name +
-                               "' needs more than 255 bits; draw it smaller or nearer to the page");
+      limit(body.position,
+            "an edge of body '" + body.name + "' needs more than 255 bits; draw it smaller or nearer to the page");
     }
     kinds_.push_back(kind.value_or(ArcKind::line64));
   }
@@ -246,9 +247,7 @@ void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delt
   const IntegerHalfSpace& h = body.half_spaces[face.half_space];
   const bool plane = h.kind == HalfSpaceKind::plane;
   const bool root = !plane && h.c[2] != 0;
-  out.byte(static_cast<std::uint8_t>(plane  ? Record::plane_face
-                                     : root ? Record::root_face
-                                            : Record::rational_face));
+  out.byte(static_cast<std::uint8_t>(plane ? Record::plane_face : root ? Record::root_face : Record::rational_face));
   out.number(static_cast<std::int64_t>(delta));
   out.number(event.slot);
   out.unsigned_number(event.item);  // faces are listed in tie order

@@ -25,8 +25,7 @@ struct JobResult {
   Diagnostics diagnostics;  // limits exceeded
 };
 
-[[nodiscard]] JobResult write_job(const IntegerScene& scene, const ResolvedScene& resolved,
-                                  const JobOptions& options);
+[[nodiscard]] JobResult write_job(const IntegerScene& scene, const ResolvedScene& resolved, const JobOptions& options);
 
 // A job in memory, as the core reads it.
 class MemorySource final : public ByteSource {

@@ -40,6 +40,7 @@ FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const Int
   if (half_space.kind == HalfSpaceKind::plane) {
     bits.p = bits_of(c[0] * e.x + c[1] * e.y + c[3]);
     bits.d = bits_of(c[2]);
+    bits.linear = bits.p;
     return bits;
   }
   const mpz_class b = c[5] * e.x + c[4] * e.y + c[8];
@@ -52,6 +53,7 @@ FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const Int
   bits.p = bits_of(p);
   bits.q = bits_of(q);
   bits.d = bits_of(d);
+  bits.linear = root ? bits.p : 0;
   static constexpr int row[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
   mpz_class n;
   for (int i = 0; i < 3; ++i) {
@@ -72,7 +74,8 @@ FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const Int
 }
 
 std::optional<std::string> check_face(const IntegerScene& scene, const FaceBits& f) {
-  // shade.cpp: 256-bit polynomials, the normal with a margin for their partial sums.
+  if (f.linear > 125) return "its depth needs more than 126 bits";
+  // root_surface.cpp: |N|^2 in 512 bits; rational_shade.cpp: a component, with its partial sums, in 256.
   if (f.q + 4 > 255 || f.normal + 20 > 255 || f.p > 250) return "its shading needs more than 256 bits";
   // exact.cpp reaches_level: P = scale^2 (l . N)^2 + t^2 l2 |N|^2, then P^2.
   const int light = 18 + f.normal + 2;
@@ -95,8 +98,8 @@ std::optional<std::string> check_depths(const IntegerScene& scene, const FaceBit
 std::optional<ArcKind> arc_kind(const IntegerScene& scene, const Arc& arc) {
   const Extent e = extent_of(scene.scissor, scene.bodies[arc.body].origin);
   const auto& q = arc.curve.q;
-  const mpz_class value = abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y +
-                          abs(q[3]) * e.x + abs(q[4]) * e.y + abs(q[5]);
+  const mpz_class value = abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y + abs(q[3]) * e.x +
+                          abs(q[4]) * e.y + abs(q[5]);
   const bool line = q[0] == 0 && q[1] == 0 && q[2] == 0;
   // A difference is at most twice the value, the slope test and a step beyond twice that again.
   const int bits = bits_of(value) + 4;

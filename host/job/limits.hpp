@@ -15,6 +15,7 @@ namespace halfspace {
 struct FaceBits {
   int p = 0, q = 0, d = 0;  // z = (p + s sqrt(q)) / d
   int normal = 0;           // u of the largest component of d * N
+  int linear = 0;           // c0 x + c1 y + c3 of a plane, b of a root face: kept in 128 bits
 };
 
 [[nodiscard]] FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body,

@@ -5,7 +5,6 @@
 
 namespace halfspace {
 
-[[nodiscard]] int plane_level(const IntegerScene& scene, const IntegerBody& body,
-                              const IntegerHalfSpace& plane);
+[[nodiscard]] int plane_level(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& plane);
 
 }  // namespace halfspace

@@ -1,0 +1,91 @@
+// level_search.hpp - from certain and uncertain comparisons to the level of a dot: the part that both shaders share.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/exact.hpp"
+#include "firmware/core/shade.hpp"
+
+namespace halfspace {
+
+// L and |N|^2 at a dot, on scales such that level k is reached when L > 0 and L^2 >= squares[k] |N|^2 / 2^32.
+// Ranges  |L| < 2^31.5, |N|^2 < 2^62.
+struct Light {
+  std::int64_t l = 0;
+  std::int64_t n2 = 0;
+};
+
+// What L, and L^2 - t |N|^2, must exceed to be certain.
+struct Margin {
+  std::int64_t light = 0;
+  std::int64_t squares = 0;
+
+  // From the errors of L and of |N|^2; 2^31 more covers the rounding of t and of its product.
+  static Margin of(std::int64_t light_error, std::int64_t square_error) {
+    return {light_error, (light_error << 33) + light_error * light_error + square_error + (std::int64_t{1} << 31)};
+  }
+};
+
+enum class Answer : std::uint8_t { no, yes, unsure };
+
+// (t * a) >> 32 for 0 <= a < 2^63: two products of 32 bits.
+inline std::int64_t scale_by(std::uint32_t t, std::int64_t a) {
+  const auto u = static_cast<std::uint64_t>(a);
+  return static_cast<std::int64_t>(t * (u >> 32) + ((t * (u & 0xffffffffU)) >> 32));
+}
+
+inline Answer compare(const Light& light, const Margin& margin, std::uint32_t square) {
+  if (light.l <= margin.light) return light.l < -margin.light ? Answer::no : Answer::unsure;
+  const std::int64_t difference = light.l * light.l - scale_by(square, light.n2);
+  if (difference > margin.squares) return Answer::yes;
+  return difference < -margin.squares ? Answer::no : Answer::unsure;
+}
+
+// The largest level that `reaches(k)` grants, sought from the level of the dot before (-1: none) or by bisection.
+template <class Reaches>
+std::int32_t search_level(const LevelTable& table, std::int32_t level, Reaches reaches) {
+  const auto asks = [&](std::int32_t k) {
+    if (k <= table.ambient_level) return true;
+    return k <= table.top_level && reaches(k);
+  };
+  if (level < 0) {
+    std::int32_t low = table.ambient_level;
+    std::int32_t high = table.top_level + 1;
+    while (high - low > 1) {
+      const std::int32_t middle = (low + high) / 2;
+      (asks(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+  if (asks(level + 1)) {
+    do {
+      ++level;
+    } while (asks(level + 1));
+  } else {
+    while (!asks(level)) --level;
+  }
+  return level;
+}
+
+// Runs level_at(x, level of the dot before or -1) over the span and paints runs of equal levels.
+template <class LevelAt>
+void paint_levels(const ShadeJob& job, std::int32_t x0, std::int32_t x1, LevelAt level_at) {
+  std::int32_t from = x0;
+  std::int32_t level = -1;
+  std::uint32_t runs = 1;
+  for (std::int32_t x = x0; x <= x1; ++x) {
+    const std::int32_t k = level_at(x, level);
+    if (k == level) continue;
+    if (level >= 0) {
+      job.painter.fill(from, x - 1, level);
+      ++runs;
+    }
+    from = x;
+    level = k;
+  }
+  job.painter.fill(from, x1, level);
+  job.counters.level_spans += runs;
+  job.counters.intensities += static_cast<std::uint32_t>(x1 - x0 + 1);
+}
+
+}  // namespace halfspace

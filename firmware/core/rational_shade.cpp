@@ -1,0 +1,120 @@
+// A quadric without z^2: z = p(x) / d(x) on a scan line, p quadratic and d linear, and N = d * normal quadratic in x.
+// Registers  The components N_i and L, each under 2^30 with 32 bits of fraction: second order, no root.
+// Errors     n dots round a component by n^2 2^-32 + 2 units at most: 4 in all.
+
+#include <algorithm>
+#include <array>
+
+#include "firmware/core/level_search.hpp"
+
+namespace halfspace {
+namespace {
+
+using Int = Wide<256>;
+
+// u2 x^2 + u1 x + u0, x counted from the span's first dot.
+struct Quadratic {
+  Int u2, u1, u0;
+
+  [[nodiscard]] Int at(std::int64_t x) const { return (u2 * Int(x) + u1) * Int(x) + u0; }
+  // Bits that hold its values on n dots (root_shade.cpp, LineQuadratic).
+  [[nodiscard]] int bits(std::int64_t n) const {
+    return 1 + std::max({u0.bit_length(), at(n / 2).bit_length(), at(n).bit_length()});
+  }
+  void add(const Int& m, const Quadratic& o) {
+    u2 += m * o.u2;
+    u1 += m * o.u1;
+    u0 += m * o.u0;
+  }
+};
+
+// z = p / (d1 x + d0) on the line, with d > 0: b keeps one sign inside a cell.
+struct LineDepth {
+  Quadratic p;
+  Int d1, d0;
+};
+
+LineDepth line_depth(const ActiveFace& f, const Int& x, const Int& y) {
+  const auto c = [&f](int i) { return Int(f.c[i]); };
+  const auto twice = [](const Int& a) { return a + a; };
+  const Int b = c(5) * x + c(4) * y + c(8);
+  const Quadratic rest{c(0), twice(c(0) * x + c(3) * y + c(6)),
+                       x * (c(0) * x + twice(c(3) * y + c(6))) + y * (c(1) * y + twice(c(7))) + c(9)};
+  const Int sign = b.negative() ? -1 : 1;
+  LineDepth z;
+  z.d1 = sign * twice(c(5));
+  z.d0 = sign * twice(b);
+  z.p.add(-sign, rest);
+  return z;
+}
+
+// The three components of N, exact.
+std::array<Quadratic, 3> line_normal(const ActiveFace& f, const Lighting& lighting, const Int& x, const Int& y) {
+  static constexpr std::uint8_t row[4][4] = {{0, 3, 6, 5}, {3, 1, 7, 4}, {5, 4, 8, 2}, {6, 7, 9, 8}};
+  const LineDepth z = line_depth(f, x, y);
+  const std::array<std::int64_t, 4> origin{f.origin_x, f.origin_y, f.origin_z, 0};
+  std::array<Quadratic, 3> n;
+  for (int j = 0; j < 4; ++j) {
+    // d * gradient_j = (g1 x + g0) d + slope p
+    const Int slope(f.c[row[j][3]]);
+    const Int g1(f.c[row[j][0]]);
+    const Int g0 = g1 * x + Int(f.c[row[j][1]]) * y + Int(f.c[row[j][2]]);
+    Quadratic g{g1 * z.d1, g1 * z.d0 + g0 * z.d1, g0 * z.d0};
+    g.add(slope, z.p);
+    for (int i = 0; i < 3; ++i) {
+      // gw(page) = gw(local) - o . g
+      n[i].add(Int(lighting.matrix[i][j]) - Int(lighting.matrix[i][3]) * Int(origin[j]), g);
+    }
+  }
+  return n;
+}
+
+struct Registers {
+  std::int64_t r, d1, d2;
+
+  Registers() = default;
+  Registers(const Quadratic& q, int shift)
+      : r(scaled(q.u0, shift - 32)), d1(scaled(q.u1 + q.u2, shift - 32)), d2(scaled(q.u2 + q.u2, shift - 32)) {}
+  void step() {
+    r += d1;
+    d1 += d2;
+  }
+  [[nodiscard]] std::int64_t value() const { return r >> 32; }
+};
+
+}  // namespace
+
+void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const std::int64_t lx = static_cast<std::int64_t>(x0) - job.face.origin_x;
+  const std::int64_t ly = static_cast<std::int64_t>(y) - job.face.origin_y;
+  const std::array<Quadratic, 3> normal = line_normal(job.face, job.lighting, lx, ly);
+  Quadratic light;
+  int bits = 0;
+  for (int i = 0; i < 3; ++i) {
+    light.add(Int(job.lighting.light[i]) * Int(job.face.light_sign), normal[i]);
+    bits = std::max(bits, normal[i].bits(x1 - x0 + 1));
+  }
+  const int shift = bits + 1 - 30;
+  std::array<Registers, 3> n;
+  for (int i = 0; i < 3; ++i) n[i] = Registers(normal[i], shift);
+  Registers l(light, shift + job.table.light_bits);
+  // |N_i| < 2^30, each off by 4 at most: |N|^2 by 3 (2 * 2^30 * 4 + 16).
+  const Margin margin = Margin::of(4, 3 * ((std::int64_t{8} << 30) + 16));
+
+  paint_levels(job, x0, x1, [&](std::int32_t x, std::int32_t level) {
+    Light here{l.value(), 0};
+    for (Registers& component : n) {
+      here.n2 += component.value() * component.value();
+      component.step();
+    }
+    l.step();
+    return search_level(job.table, level, [&](std::int32_t k) {
+      const Answer answer = compare(here, margin, job.table.squares[static_cast<std::size_t>(k)]);
+      if (answer != Answer::unsure) return answer == Answer::yes;
+      ++job.counters.exact_levels;
+      return reaches_level(job.face, job.lighting, job.table.levels, k, x, y);
+    });
+  });
+}
+
+}  // namespace halfspace

@@ -1,0 +1,177 @@
+// On a scan line  L = l(x) + m s(x),  |N|^2 = q(x) + r(x) s(x),  s = sqrt(D(x)):  l and r linear, q and D quadratic.
+// Registers  D scaled under 2^60, so s < 2^30; q and r s under 2^60; l and m s under 2^31.
+// Errors     D's registers round by at most n^2/2 + n + 2 over n dots: s by its root, n + 3 units in all, but by less than
+//            3 units where s >= n^2 + 2n. The others follow linearly (`margin`).
+// Cost       Per dot 6 additions, 5 products for L and |N|^2, one division for s, as a rule two comparisons.
+
+#include <algorithm>
+
+#include "firmware/core/isqrt.hpp"
+#include "firmware/core/level_search.hpp"
+#include "firmware/core/root_surface.hpp"
+#include "firmware/core/root_walk.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr int square_bits = 60;  // D, q and r s
+constexpr int light_fraction = 28;
+constexpr int root_fraction = 32;
+
+struct Registers {
+  std::int64_t d, d1, d2;  // D
+  std::int64_t q, q1, q2;  // q
+  std::int64_t r, r1;      // r, 32 bits of fraction
+  std::int64_t l, l1;      // l, 28 bits of fraction
+  std::int64_t m;          // 30 bits of fraction
+
+  void step() {
+    d += d1;
+    d1 += d2;
+    q += q1;
+    q1 += q2;
+    r += r1;
+    l += l1;
+  }
+  [[nodiscard]] Light at(std::int64_t s) const {
+    return {(l >> light_fraction) + (m * s >> 30), q + (r >> root_fraction) * s};
+  }
+};
+
+// The second-order registers of a polynomial at (x, y): value, first and second difference along the line.
+struct LineQuadratic {
+  Wide<128> v, d1, d2;
+
+  LineQuadratic(const ScaledQuadratic& p, std::int32_t x, std::int32_t y)
+      : v(p.at(x, y)), d1(p.at(x + 1, y) - v), d2(p.q[0] + p.q[0]) {}
+
+  // Bits that hold the values on n dots: a quadratic exceeds the largest of three equally spaced values by at most a
+  // quarter.
+  [[nodiscard]] int bits(std::int32_t n) const {
+    return 1 + std::max({v.bit_length(), at(n / 2).bit_length(), at(n).bit_length()});
+  }
+
+ private:
+  [[nodiscard]] Wide<128> at(std::int32_t t) const {
+    const Wide<128> pairs = t % 2 == 0 ? d2.times(t / 2).times(t - 1) : d2.times(t).times((t - 1) / 2);
+    return v + d1.times(t) + pairs;
+  }
+};
+
+class SpanShader {
+ public:
+  SpanShader(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
+      : job_(job), y_(y), x0_(x0), x1_(x1), n_(x1 - x0 + 1) {
+    load(job.face.surface, x0 - job.face.origin_x, y - job.face.origin_y);
+    deep_from_ = static_cast<std::int64_t>(n_) * n_ + 2 * n_;
+    deep_ = margin(3);
+    shallow_ = margin(n_ + 3);
+  }
+
+  void run(Shader shader) {
+    if (grazing_) {
+      job_.painter.fill(x0_, x1_, job_.table.ambient_level);
+      ++job_.counters.level_spans;
+    } else if (shader == Shader::jordan) {
+      JordanWalk walk(at_.d, depth_shift_);
+      const Margin coarse = margin((std::int64_t{1} << depth_shift_) / 2 + n_ + 3);
+      paint_levels(job_, x0_, x1_, [&](std::int32_t x, std::int32_t level) {
+        const std::int32_t k = level_at(walk.next(at_.d), coarse, x, level);
+        at_.step();
+        return k;
+      });
+    } else {
+      RootWalk walk;
+      paint_levels(job_, x0_, x1_, [&](std::int32_t x, std::int32_t level) {
+        const std::int64_t s = walk.next(at_.d);
+        const std::int32_t k = level_at(s, fine(s), x, level);
+        at_.step();
+        return k;
+      });
+    }
+  }
+
+ private:
+  // Scales follow from the largest values that the span reaches. Where coefficients were rounded (exponent > 0) a scale keeps
+  // their error under one unit.
+  void load(const RootSurface& f, std::int32_t x, std::int32_t y) {
+    const LineQuadratic d(f.discriminant, x, y);
+    const int root_shift =
+        std::max((d.bits(n_) - square_bits + 1) >> 1, f.discriminant.exponent > 0 ? quadratic_error_bits / 2 : -32);
+    const LineQuadratic q(f.square, x, y);
+    const Wide<128> r = f.square_root.at(x, y);
+    const Wide<128> r_end = f.square_root.at(x + n_, y);
+    const int r_bits = std::max(r.bit_length(), r_end.bit_length()) + root_shift + square_bits / 2;
+    int square_shift = std::max(q.bits(n_), r_bits) + 1 - square_bits;
+    if (f.square.exponent > 0) square_shift = std::max(square_shift, quadratic_error_bits);
+    // L / (|N| 2^light_bits) must come out as in LevelTable: twice light's scale is square's.
+    const int balance = f.square.exponent - 2 * f.light.exponent + 2 * job_.table.light_bits;
+    if (f.light.exponent > 0) square_shift = std::max(square_shift, 2 * linear_error_bits - balance);
+    // The factors of s, too, may have been rounded: by 1 and by 2^linear_error_bits, times s 2^root_shift.
+    const int half_exponent = f.discriminant.exponent / 2;
+    if (f.light.exponent > half_exponent) square_shift = std::max(square_shift, 2 * (root_shift + 30) - balance);
+    if (f.square.exponent > half_exponent) {
+      square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
+    }
+    square_shift += (square_shift + balance) & 1;
+    const int light_shift = (square_shift + balance) / 2;
+
+    const Wide<128> l = f.light.at(x, y);
+    at_ = {scaled(d.v, 2 * root_shift),
+           scaled(d.d1, 2 * root_shift),
+           scaled(d.d2, 2 * root_shift),
+           scaled(q.v, square_shift),
+           scaled(q.d1, square_shift),
+           scaled(q.d2, square_shift),
+           scaled(r, square_shift - root_shift - root_fraction),
+           scaled(f.square_root.q[0], square_shift - root_shift - root_fraction),
+           scaled(l, light_shift - light_fraction),
+           scaled(f.light.q[0], light_shift - light_fraction),
+           scaled(f.light_root, light_shift - root_shift - 30)};
+    grazing_ = f.light_root.is_zero() && f.light.q == std::array<Wide<128>, 3>{};
+    depth_shift_ = std::clamp(job_.face.c[2].bit_length() - root_shift - half_exponent - 2, 8, 24);
+  }
+
+  // What comparisons must exceed when s is off by `root_error`.
+  [[nodiscard]] Margin margin(std::int64_t root_error) const {
+    const std::int64_t n = n_;
+    const std::int64_t m = at_.m < 0 ? -at_.m : at_.m;
+    const std::int64_t light = (m * root_error >> 30) + 6;
+    const std::int64_t square = (root_error << 30) + (std::int64_t{1} << 32) + n * n + 2 * n + 4;
+    return Margin::of(light, square);
+  }
+  [[nodiscard]] const Margin& fine(std::int64_t s) const { return s >= deep_from_ ? deep_ : shallow_; }
+
+  std::int32_t level_at(std::int64_t s, const Margin& sure, std::int32_t x, std::int32_t level) {
+    const Light light = at_.at(s);
+    return search_level(job_.table, level, [&](std::int32_t k) {
+      const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(k)]);
+      return answer == Answer::unsure ? settle(x, k) : answer == Answer::yes;
+    });
+  }
+
+  // The integer square root first (Jordan's walk asks here often), exact arithmetic last.
+  [[nodiscard]] bool settle(std::int32_t x, std::int32_t k) {
+    const std::int64_t s = isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(at_.d, 0)));
+    const Answer answer = compare(at_.at(s), fine(s), job_.table.squares[static_cast<std::size_t>(k)]);
+    if (answer != Answer::unsure) return answer == Answer::yes;
+    ++job_.counters.exact_levels;
+    return reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
+  }
+
+  const ShadeJob& job_;
+  std::int32_t y_, x0_, x1_, n_;
+  Registers at_{};
+  bool grazing_ = false;  // L = 0 on the whole face: a cylinder lit along its axis
+  int depth_shift_ = 0;   // log2 of the units of s in a quarter dot of z, about: Jordan's step
+  std::int64_t deep_from_ = 0;
+  Margin deep_, shallow_;
+};
+
+}  // namespace
+
+void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  SpanShader(job, y, x0, x1).run(shader);
+}
+
+}  // namespace halfspace
