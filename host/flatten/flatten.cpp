@@ -119,6 +119,7 @@ class Flattener {
         if (view_.perspective) sides.push_back({eye_plane(), false});
         const Extent own = extent_of(sides);
         if (own.unbounded) return fail_unbounded(body);
+        extents_.push_back(own);
         if (!own.empty) extent = extent ? around(*extent, own.box) : own.box;
       }
     }
@@ -148,8 +149,9 @@ class Flattener {
     append_view_planes();
     move_places(page_.dot_to_view());
     if (!transform_half_spaces()) return false;
-    for (const PlacedBody& body : placed_.bodies) {
-      boxes_.push_back(box_of(body));
+    for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
+      const PlacedBody& body = placed_.bodies[i];
+      boxes_.push_back(box_of(body, extent_on_page(i)));
       for (const HalfSpaceUse& use : body.uses) {
         auto& known = half_spaces_[use.half_space].box;
         known = known ? around(*known, boxes_.back()) : boxes_.back();
@@ -175,18 +177,19 @@ class Flattener {
     for (PlacedBody& body : placed_.bodies) body.uses.insert(body.uses.end(), uses.begin(), uses.end());
   }
 
-  // The page with a dot around it, as sides of bodies: local dots from `origin`.
-  [[nodiscard]] std::vector<Side> page_sides(const Vector3& origin) const {
+  // A body cut by the page with a dot around it; in local dots from `origin`.
+  [[nodiscard]] std::vector<Side> with_page(std::vector<Side> sides, const Vector3& origin) const {
     const auto plane = [](std::size_t axis, Real at) {
       RealHalfSpace h{HalfSpaceKind::plane, {}};
       h.c[axis] = 1;
       h.c[3] = -at;
       return h;
     };
-    return {{plane(0, -1 - origin[0]), true},
-            {plane(0, options_.width - origin[0]), false},
-            {plane(1, -1 - origin[1]), true},
-            {plane(1, options_.height - origin[1]), false}};
+    sides.push_back({plane(0, -1 - origin[0]), true});
+    sides.push_back({plane(0, options_.width - origin[0]), false});
+    sides.push_back({plane(1, -1 - origin[1]), true});
+    sides.push_back({plane(1, options_.height - origin[1]), false});
+    return sides;
   }
 
   [[nodiscard]] bool is_on_page(const Box& box) const {
@@ -194,18 +197,22 @@ class Flattener {
   }
 
   // The part of the body on the page; of a body that lies off it all, and the page where even that says nothing.
-  [[nodiscard]] Box box_of(const PlacedBody& body) const {
-    std::vector<Side> sides = sides_of(body);
-    const Extent whole = extent_of(sides);
+  [[nodiscard]] Box box_of(const PlacedBody& body, const Extent& whole) const {
     const bool has_end = !whole.empty && !whole.unbounded;
     if (has_end && is_on_page(whole.box)) return with_depth_limited(whole.box);
-    const std::vector<Side> page = page_sides({0, 0, 0});
-    sides.insert(sides.end(), page.begin(), page.end());
-    const Extent part = extent_of(sides);
+    const Extent part = extent_of(with_page(sides_of(body), {0, 0, 0}));
     if (!part.empty && !part.unbounded) return with_depth_limited(part.box);
     if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return with_depth_limited(whole.box);
     const Box endless = endless_box();
     return part.empty ? endless : with_depth_limited(around(endless, part.box));
+  }
+
+  // Known from fitting the window, unless clipping planes have come since.
+  [[nodiscard]] Extent extent_on_page(std::size_t body) const {
+    if (extents_.empty() || view_.clipping) return extent_of(sides_of(placed_.bodies[body]));
+    Extent extent = extents_[body];
+    extent.box = page_.to_dots(extent.box);
+    return extent;
   }
 
   static bool is_near(const Box& box) { return larger(largest(box.low), largest(box.high)) <= far_limit; }
@@ -317,17 +324,17 @@ class Flattener {
 
   // Around the silhouette of the integers themselves: where two of them meet at a small angle, the edge may lie
   // further from the true one than the surfaces do.
-  void set_box(std::vector<Side>& sides, IntegerBody& body) const {
+  void set_box(const std::vector<Side>& sides, IntegerBody& body) const {
     const Vector3 origin{Real(body.origin[0]), Real(body.origin[1]), Real(body.origin[2])};
-    const std::vector<Side> page = page_sides(origin);
-    sides.insert(sides.end(), page.begin(), page.end());
-    const Extent extent = extent_of(sides);
-    const Scissor& scissor = page_.scissor;
-    Box box{{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
-    if (!extent.unbounded) {
-      if (extent.empty) return;
+    Extent extent = extent_of(sides);
+    Box box{sum(extent.box.low, origin), sum(extent.box.high, origin)};
+    if (extent.unbounded || !is_on_page(box)) {
+      extent = extent_of(with_page(sides, origin));
       box = {sum(extent.box.low, origin), sum(extent.box.high, origin)};
     }
+    const Scissor& scissor = page_.scissor;
+    if (extent.unbounded) box = {{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
+    if (extent.empty && !extent.unbounded) return;
     const auto dot = [](Real v) { return static_cast<std::int32_t>(v); };
     body.x0 = std::max(scissor.x0, dot(floor_of(box.low[0])));
     body.y0 = std::max(scissor.y0, dot(floor_of(box.low[1])));
@@ -343,7 +350,8 @@ class Flattener {
   PageMap page_;
   std::vector<PageHalfSpace> half_spaces_;
   std::vector<PlaneMating::Leader> leaders_;
-  std::vector<Box> boxes_;  // of the bodies, in dots
+  std::vector<Extent> extents_;  // of the bodies in the view frame, if the window needed them
+  std::vector<Box> boxes_;       // of the bodies, in dots
 };
 
 }  // namespace

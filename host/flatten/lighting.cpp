@@ -38,21 +38,38 @@ std::array<Vector4, 3> normal_rows(const View& view, const PageMap& page) {
   return rows;
 }
 
+// A perspective view is narrow where its eye is more than 2^24 dots off. There w z stays what it is at vrp to within
+// 2^-10, and the last column, which would not fit, turns into the third.
+bool is_narrow(const View& view, const std::array<Vector4, 3>& rows) {
+  return view.perspective && larger(rows[0][0], rows[1][1]) > power_of_two(24);
+}
+
+std::array<Vector4, 3> narrow_rows(const View& view, const PageMap& page) {
+  std::array<Vector4, 3> rows = directions_to_view(view);
+  const Real depth = rows[0][0];
+  rows[2] = {rows[2][0], rows[2][1], depth, 0};
+  for (Vector4& row : rows) row = {row[0] * page.scale_x, row[1] * page.scale_y, row[2] * page.scale_y, 0};
+  return rows;
+}
+
+// The last column of a perspective view is (0, 0, 1), so its factor is an integer, and even where there is room: that
+// keeps the page's middle exact.
+std::vector<std::int64_t> perspective_entries(const std::vector<Real>& entries) {
+  Real most = 1;
+  for (const Real v : entries) most = larger(most, magnitude(v));
+  const Real factor = larger(1, 2 * floor_of(power_of_two(entry_bits - 1) / most));
+  std::vector<std::int64_t> result;
+  for (const Real v : entries) result.push_back(to_int(v * factor));
+  return result;
+}
+
 void set_normal_matrix(const View& view, const PageMap& page, IntegerLighting& lighting) {
-  const std::array<Vector4, 3> rows = normal_rows(view, page);
+  std::array<Vector4, 3> rows = normal_rows(view, page);
+  const bool narrow = is_narrow(view, rows);
+  if (narrow) rows = narrow_rows(view, page);
   std::vector<Real> entries;
   for (const Vector4& row : rows) entries.insert(entries.end(), row.begin(), row.end());
-  std::vector<std::int64_t> integers;
-  if (!view.perspective) {
-    integers = scale_to_entries(entries);
-  } else {
-    // The last column is (0, 0, 1): multiply by an even integer, which also keeps the page's middle exact.
-    Real most = 1;
-    for (const Real v : entries) most = larger(most, magnitude(v));
-    Real factor = nearest_whole(power_of_two(entry_bits - 1) / most - Real(1) / 2) * 2;
-    if (factor < 1) factor = 1;
-    for (const Real v : entries) integers.push_back(to_int(v * factor));
-  }
+  const auto integers = view.perspective && !narrow ? perspective_entries(entries) : scale_to_entries(entries);
   for (std::size_t i = 0; i < 12; ++i) lighting.normal_matrix[i / 4][i % 4] = integers[i];
 }
 

@@ -60,6 +60,9 @@ TEST(Lighting, PlanesAreLitByTheirWorldNormalInEveryView) {
   expect_facet_lit("view v cop 1 2 -3 vpn .1 .2 1;", page(2112, 1700));
   expect_facet_lit("view v cop 1 2 -30;", page(2112, 1700));
   expect_facet_lit("view v cop 1 2 -3000;", page(2112, 1700));
+  expect_facet_lit("view v cop 1 2 -30;", page(32767, 32767));
+  expect_facet_lit("view v cop 1 2 -300000000;", page(2112, 1700));
+  expect_facet_lit("view v cop 1 2 -300000000 vpn .2 .1 1;", page(2112, 1700));
   FlattenOptions wide = page(200, 300);
   wide.aspect_numerator = 3;
   wide.aspect_denominator = 2;

@@ -98,7 +98,7 @@ void expect_outcome(const std::string& text) {
   const FlattenResult result = flatten(scene_of(text), page(99, 99));
   if (has_errors(result.diagnostics)) return;
   EXPECT_EQ(result.scene.bodies.size(), 1U) << text;
-  EXPECT_LE(result.scene.bound, 0x1p-13) << text;
+  EXPECT_LE(result.scene.bound, 1.0 / 256) << text;
 }
 
 TEST(Limits, NumbersOfAnySize) {
