@@ -1,7 +1,7 @@
 #include "tests/oracle/random_bodies.hpp"
 
-#include <cstdlib>
-#include <span>
+#include <iterator>
+#include <utility>
 
 namespace halfspace::oracle {
 namespace {

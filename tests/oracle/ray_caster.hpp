@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "tests/oracle/true_scene.hpp"
