@@ -59,6 +59,7 @@ std::vector<std::int64_t> perspective_entries(const std::vector<Real>& entries) 
   for (const Real v : entries) most = larger(most, magnitude(v));
   const Real factor = larger(1, 2 * floor_of(power_of_two(entry_bits - 1) / most));
   std::vector<std::int64_t> result;
+  result.reserve(entries.size());
   for (const Real v : entries) result.push_back(to_int(v * factor));
   return result;
 }
