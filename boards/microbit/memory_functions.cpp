@@ -1,17 +1,34 @@
-// What compiler and standard headers call even in a freestanding program. Byte by byte: a Cortex-M0 faults on unaligned words, and nothing in the core copies much.
+// What compiler and standard headers call even in a freestanding program. The core clears and copies whole words, and
+// spends a quarter of its time here if that goes byte by byte; a Cortex-M0 faults on an unaligned word, so bytes remain
+// for the rest.
 #include <cstddef>
+#include <cstdint>
 
 #include "boards/microbit/semihosting.hpp"
 
 // Without this the compiler would turn each loop into a call of the function it stands in.
 #define HALFSPACE_PLAIN_LOOP __attribute__((optimize("no-tree-loop-distribute-patterns")))
 
+namespace {
+
+using Word [[gnu::may_alias]] = std::uint32_t;
+
+bool on_words(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % sizeof(Word) == 0; }
+
+}  // namespace
+
 extern "C" {
 
 HALFSPACE_PLAIN_LOOP void* memcpy(void* to, const void* from, std::size_t count) {
+  std::size_t done = 0;
+  if (on_words(to) && on_words(from)) {
+    for (; done + sizeof(Word) <= count; done += sizeof(Word)) {
+      static_cast<Word*>(to)[done / sizeof(Word)] = static_cast<const Word*>(from)[done / sizeof(Word)];
+    }
+  }
   auto* t = static_cast<unsigned char*>(to);
   const auto* f = static_cast<const unsigned char*>(from);
-  for (std::size_t i = 0; i < count; ++i) t[i] = f[i];
+  for (; done < count; ++done) t[done] = f[done];
   return to;
 }
 
@@ -27,8 +44,13 @@ HALFSPACE_PLAIN_LOOP void* memmove(void* to, const void* from, std::size_t count
 }
 
 HALFSPACE_PLAIN_LOOP void* memset(void* to, int value, std::size_t count) {
-  auto* t = static_cast<unsigned char*>(to);
-  for (std::size_t i = 0; i < count; ++i) t[i] = static_cast<unsigned char>(value);
+  const auto byte = static_cast<unsigned char>(value);
+  const Word word = byte * 0x01010101U;
+  std::size_t done = 0;
+  if (on_words(to)) {
+    for (; done + sizeof(Word) <= count; done += sizeof(Word)) static_cast<Word*>(to)[done / sizeof(Word)] = word;
+  }
+  for (auto* t = static_cast<unsigned char*>(to); done < count; ++done) t[done] = byte;
   return to;
 }
 
