@@ -34,7 +34,9 @@ struct Registers {
     l += l1;
   }
   [[nodiscard]] Light at(std::int64_t s) const {
-    return {(l >> light_fraction) + (m * s >> 30), q + (r >> root_fraction) * s};
+    // The error of s can take a small |N|^2 below 0; the true one is not.
+    const std::int64_t n2 = q + (r >> root_fraction) * s;
+    return {(l >> light_fraction) + (m * s >> 30), std::max<std::int64_t>(n2, 0)};
   }
 };
 
@@ -113,10 +115,15 @@ class SpanShader {
     if (f.square.exponent > half_exponent) {
       square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
     }
+    // |L| <= |light| |N| keeps l and m s under 2^31 as a rule; where N is nearly 0, or the line's end lies outside, this does.
+    const Wide<128> l = f.light.at(x, y);
+    const Wide<128> l_end = f.light.at(x + n_, y);
+    const int light_terms =
+        std::max({l.bit_length(), l_end.bit_length(), f.light_root.bit_length() + root_shift + square_bits / 2});
+    square_shift = std::max(square_shift, 2 * (light_terms - 31) - balance);
     square_shift += (square_shift + balance) & 1;
     const int light_shift = (square_shift + balance) / 2;
 
-    const Wide<128> l = f.light.at(x, y);
     at_ = {scaled(d.v, 2 * root_shift),
            scaled(d.d1, 2 * root_shift),
            scaled(d.d2, 2 * root_shift),

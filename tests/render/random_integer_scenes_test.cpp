@@ -37,7 +37,7 @@ TEST(RandomIntegerScenes, AgreeWithTheOracle) {
   int failures = 0;
   for (std::uint64_t seed = 1; seed <= count && failures < 5; ++seed) {
     const IntegerScene scene = oracle::random_integer_scene(seed);
-    const Shader shader = seed % 2 == 0 ? Shader::isqrt : Shader::jordan;
+    const Shader shader = seed % 2 == 0 ? Shader::isqrt : Shader::jordan;  // both must give the same dots
     const testing::Drawn drawn = testing::draw_levels(scene, shader);
     if (!drawn.refusal.empty()) {
       ++refused;
