@@ -53,7 +53,7 @@ std::int64_t clamped(const mpz_class& x, const Extent& extent) {
   return x > static_cast<long>(extent.x1) ? extent.x1 : x.get_si();
 }
 
-// The dots of an interval. `outside` says that it ends beyond the extent on the near side: then it holds none.
+// The dots of an interval within the extent; x0 > x1 when there is none.
 void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, const Extent& extent,
               NamedInterval& named) {
   named.x0 = extent.x0;
