@@ -34,7 +34,10 @@ inline constexpr std::uint16_t no_slot = 0xffff;
 inline constexpr std::int32_t largest_origin = 1 << 16;
 
 // The lighting of design section 5 as integers: intensity = (ambient + parallel * max(0, cos)) / unit,
-// with N = matrix * (homogeneous page-frame gradient). Ranges: |matrix|, |light| <= 2^15; unit <= 2^16.
+// with N = matrix * (homogeneous page-frame gradient). A perspective matrix holds the eye's distance in dots, hence its range.
+// unit <= 2^16.
+inline constexpr std::int32_t largest_matrix = 1 << 24;
+inline constexpr std::int32_t largest_light = 1 << 15;
 struct Lighting {
   std::array<std::array<std::int32_t, 4>, 3> matrix{};
   std::array<std::int32_t, 3> light{};

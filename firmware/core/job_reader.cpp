@@ -66,11 +66,10 @@ void read_page(JobReader& in, JobHeader& h) {
 }
 
 void read_lighting(JobReader& in, Lighting& l) {
-  constexpr std::int32_t most = 1 << 15;
   for (auto& row : l.matrix) {
-    for (auto& m : row) m = in.number_in(-most, most);
+    for (auto& m : row) m = in.number_in(-largest_matrix, largest_matrix);
   }
-  for (auto& c : l.light) c = in.number_in(-most, most);
+  for (auto& c : l.light) c = in.number_in(-largest_light, largest_light);
   l.unit = in.number_in(1, 1 << 16);
   l.ambient = in.number_in(0, l.unit);
   l.parallel = in.number_in(0, l.unit);

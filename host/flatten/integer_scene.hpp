@@ -46,14 +46,14 @@ struct IntegerBody {
 };
 
 // Intensity at a face point with outward world normal n:  (ambient + parallel * max(0, cos)) / unit, where
-//   N = M g, g = (gx, gy, gz, gw) the homogeneous gradient of value (half of it for a quadric) in the PAGE frame with
-//     w = 1: gx, gy, gz are those of the local frame, gw(page) = gw(local) - (ox gx + oy gy + oz gz);
+//   N = M g, g = (gx, gy, gz, gw) the homogeneous gradient of value (half of it for a quadric) in the dot-centre frame
+//     (dot (i, j) at x = i, y = j; page z) with w = 1: gx, gy, gz are those of the local frame, gw(page) = gw(local) - (ox gx + oy gy + oz gz);
 //     plane: g(local) = (c0, c1, c2, c3); quadric: gx = c0 x + c3 y + c5 z + c6, gy = c3 x + c1 y + c4 z + c7,
 //     gz = c5 x + c4 y + c2 z + c8, gw = c6 x + c7 y + c8 z + c9 with x, y, z local;
 //   cos = s (light . N) / (|light| |N|), s = -1 for a complement, else +1; where N = 0 cos counts as 0.
 // Level k of N levels: the largest k <= levels - 1 with (levels - 1) * intensity >= k.
 struct IntegerLighting {
-  std::array<std::array<std::int64_t, 4>, 3> normal_matrix{};  // M: at most 2^15 in size
+  std::array<std::array<std::int64_t, 4>, 3> normal_matrix{};  // M: at most 2^24 in size, 2^15 without perspective
   std::array<std::int64_t, 3> light{};                          // at most 2^15 in size, not all zero
   std::int64_t ambient = 0, parallel = 0, unit = 1;             // 0 <= ambient, parallel <= unit <= 2^16
 };

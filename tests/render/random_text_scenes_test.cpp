@@ -1,0 +1,62 @@
+// Random scenes from their text to the dots: the integer picture against the exact oracle, dot for dot, and against the text
+// by the promise oracle. HALFSPACE_RANDOM_BODIES sets how many scenes (seeds 1 ..).
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "host/flatten/flatten.hpp"
+#include "host/scene/parse.hpp"
+#include "tests/oracle/promise_oracle.hpp"
+#include "tests/oracle/random_scenes.hpp"
+#include "tests/render/compare.hpp"
+#include "tests/render/draw_levels.hpp"
+
+namespace halfspace {
+namespace {
+
+struct Tally {
+  std::uint64_t drawn = 0, refused = 0, broken_bounds = 0;
+};
+
+// One scene through everything; failures are reported with its seed and text.
+void check(std::uint64_t seed, Tally& tally) {
+  const std::string text = oracle::random_scene(seed);
+  const SourceText source{"seed " + std::to_string(seed), text};
+  const ParseResult parsed = parse_uniquadrix(std::span(&source, 1));
+  ASSERT_FALSE(has_errors(parsed.diagnostics)) << source.name << ": " << format(parsed.diagnostics.front()) << "\n"
+                                               << text;
+  const FlattenResult flat = flatten(parsed.scene, {64, 64, seed % 3 == 0 ? 256 : 65, 1, 1, ""});
+  if (has_errors(flat.diagnostics)) {
+    ++tally.refused;
+    return;
+  }
+  const testing::Drawn drawn = testing::draw_levels(flat.scene, seed % 2 == 0 ? Shader::isqrt : Shader::jordan);
+  if (!drawn.refusal.empty()) {
+    ++tally.refused;
+    EXPECT_NE(drawn.refusal.find("meet"), std::string::npos) << source.name << ": " << drawn.refusal << "\n" << text;
+    return;
+  }
+  ++tally.drawn;
+  EXPECT_EQ(testing::first_difference(flat.scene, drawn.levels), "") << source.name << "\n" << text;
+  const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels);
+  EXPECT_TRUE(promise.broken.empty()) << source.name << ": dot (" << promise.broken.front().x << ", "
+                                      << promise.broken.front().y << ") is " << promise.broken.front().level
+                                      << ", the text says " << promise.broken.front().truth << "\n"
+                                      << text;
+  if (flat.scene.bound > 1.0 / 256) ++tally.broken_bounds;
+}
+
+TEST(RandomTextScenes, KeepTruthAndPromise) {
+  Tally tally;
+  const std::uint64_t count = testing::random_count(1000);
+  for (std::uint64_t seed = 1; seed <= count && !HasFatalFailure(); ++seed) {
+    check(seed, tally);
+    if (::testing::Test::HasFailure()) break;
+  }
+  std::printf("%llu random texts: %llu drawn, %llu refused, %llu with a bound over 1/256 dot\n",
+              static_cast<unsigned long long>(count), static_cast<unsigned long long>(tally.drawn),
+              static_cast<unsigned long long>(tally.refused), static_cast<unsigned long long>(tally.broken_bounds));
+}
+
+}  // namespace
+}  // namespace halfspace
