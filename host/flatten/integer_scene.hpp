@@ -39,7 +39,7 @@ struct IntegerHalfSpace {
 struct IntegerBody {
   std::string name;
   SourcePosition position;
-  std::array<std::int64_t, 3> origin{};  // dots
+  std::array<std::int64_t, 3> origin{};       // dots
   std::vector<IntegerHalfSpace> half_spaces;  // in the order of the body statement, clipping planes last
   // An integer box (page frame, dots; inclusive) around the body's silhouette: no dot outside shows a face.
   std::int32_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
@@ -54,8 +54,8 @@ struct IntegerBody {
 // Level k of N levels: the largest k <= levels - 1 with (levels - 1) * intensity >= k.
 struct IntegerLighting {
   std::array<std::array<std::int64_t, 4>, 3> normal_matrix{};  // M: at most 2^24 in size, 2^15 without perspective
-  std::array<std::int64_t, 3> light{};                          // at most 2^15 in size, not all zero
-  std::int64_t ambient = 0, parallel = 0, unit = 1;             // 0 <= ambient, parallel <= unit <= 2^16
+  std::array<std::int64_t, 3> light{};                         // at most 2^15 in size, not all zero
+  std::int64_t ambient = 0, parallel = 0, unit = 1;            // 0 <= ambient, parallel <= unit <= 2^16
 };
 
 // Dots that bodies may show on: inclusive; everything outside is background (a window's letterbox).
