@@ -47,10 +47,10 @@ check_symbols() {
   local heap='malloc|calloc|realloc|free|_sbrk|_Zn[wa]j.*|_Zd[la]Pv.*'
   local found
   found=$(arm-none-eabi-nm "$1" | awk '{ print $NF }' | grep -xE "$float|$heap")
-  [ -z "$found" ] || fail "$1 links floating point or a heap: $(echo $found)"
+  [ -z "$found" ] || fail "$1 links floating point or a heap:" $found
 }
 
-# Draws job $1 and prints its column of the table as a line.
+# Draws job $1, checks what came of it and prints its line of the table.
 check_drawn() {
   local job=$1 log=$1/log
   check_symbols "$job.elf"
@@ -72,14 +72,16 @@ check_drawn() {
   [ "$flash" -le $flash_size ] || fail "$job: $flash bytes of flash"
   [ "$ram" -le $ram_size ] || fail "$job: $ram bytes of RAM"
   [ "$stack" -lt "$stack_size" ] || fail "$job: the stack of $stack_size bytes was all used: enlarge it in microbit.ld"
-  printf '%-16s %8d %8d %8d %8d %8d %8d %12d %10d\n' "$job" "$flash" "$static" "$arena" "$stack" "$ram" "$dots" \
+  printf '%-20s %8d %8d %8d %8d %8d %8d %12d %10d\n' "$job" "$flash" "$static" "$arena" "$stack" "$ram" "$dots" \
     "$instructions" $((instructions / dots))
 }
 
 # The log's scene is there for the exact arithmetic: it must have been asked, for depths and for levels.
 check_exact() {
-  [ "$(figure "$1" exact_depths)" -gt 0 ] && [ "$(figure "$1" exact_levels)" -gt 0 ] ||
-    fail "$1: no exact depth or no exact level, so the deepest stack was not measured"
+  local name
+  for name in exact_depths exact_levels; do
+    [ "$(figure "$1" $name)" -gt 0 ] || fail "$1: $name is 0, so the deepest stack was not measured"
+  done
 }
 
 # Job $1 needs more than the board has: status 4, both numbers, and not one dot sent.
@@ -90,7 +92,7 @@ check_refused() {
   [ $status -eq 4 ] || fail "$job: status $status where 4 (refused) was expected: $(cat "$log")"
   need=$(figure "$log" need_bytes)
   have=$(figure "$log" have_bytes)
-  [ "${need:-0}" -gt "${have:-0}" ] && [ "${have:-0}" -gt 0 ] || fail "$job: need '$need', have '$have'"
+  if [ "${have:-0}" -le 0 ] || [ "${need:-0}" -le "$have" ]; then fail "$job: need '$need', have '$have'"; fi
   [ ! -e "$job/dots.bin" ] || fail "$job: dots were sent before it was refused"
   echo "$job: refused before drawing, needs $need bytes, has $have"
 }
@@ -99,20 +101,18 @@ need_program arm-none-eabi-g++ "gcc-arm-none-eabi libstdc++-arm-none-eabi-dev li
 need_program qemu-system-arm qemu-system-arm
 
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
-scenes=$root/scenes
-"$make_job" "$scenes/tube.uq" 128x64 17 isqrt tube-isqrt &&
-  "$make_job" "$scenes/tube.uq" 128x64 17 jordan tube-jordan &&
-  "$make_job" "$root/tests/board/ties.uq" 127x63 17 isqrt ties-isqrt &&
-  "$make_job" "$root/tests/board/ties.uq" 127x63 17 jordan ties-jordan &&
-  "$make_job" "$scenes/stack_of_bundles.uq" 640x480 65 isqrt too-large || exit 1
-"$root/boards/microbit/build.sh" "$out" {tube,ties}-{isqrt,jordan}.cpp too-large.cpp || exit 1
+for shader in isqrt jordan; do
+  "$make_job" "$root/scenes/tube.uq" 128x64 17 $shader tube-$shader &&
+    "$make_job" "$root/scenes/tube.uq" 640x480 33 $shader tube-640x480-$shader &&
+    "$make_job" "$root/tests/board/ties.uq" 127x63 17 $shader ties-$shader || exit 1
+done
+"$make_job" "$root/scenes/stack_of_bundles.uq" 640x480 65 isqrt too-large || exit 1
+drawn=({tube,tube-640x480,ties}-{isqrt,jordan})
+"$root/boards/microbit/build.sh" "$out" "${drawn[@]/%/.cpp}" too-large.cpp || exit 1
 
-printf '%-16s %8s %8s %8s %8s %8s %8s %12s %10s\n' "microbit, bytes" flash static arena stack RAM dots \
+printf '%-20s %8s %8s %8s %8s %8s %8s %12s %10s\n' "microbit, bytes" flash static arena stack RAM dots \
   instructions "per dot"
-check_drawn tube-isqrt
-check_drawn tube-jordan
-check_drawn ties-isqrt
-check_drawn ties-jordan
+for job in "${drawn[@]}"; do check_drawn "$job"; done
 check_exact ties-isqrt/log
 check_refused too-large
 exit $((failures > 0))
