@@ -18,7 +18,7 @@ bool fits(const JobHeader& header, std::size_t have, DrawResult& result) {
 }  // namespace
 
 PageReport draw_page(ByteSource& job, RasterDevice& device, Clock& clock, std::span<std::byte> memory, Shader shader,
-                     ArcModules modules) {
+                     const Modules& modules) {
   PageReport report;
   JobReader in(job);
   JobHeader header;

@@ -22,7 +22,7 @@ struct PageReport {
 };
 
 [[nodiscard]] PageReport draw_page(ByteSource& job, RasterDevice& device, Clock& clock, std::span<std::byte> memory,
-                                   Shader shader, ArcModules modules);
+                                   Shader shader, const Modules& modules);
 
 // What went wrong and its remedy, for a person; need and have stand in the result.
 [[nodiscard]] const char* describe(DrawStatus status);

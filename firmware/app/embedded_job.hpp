@@ -10,7 +10,7 @@ namespace halfspace {
 
 struct EmbeddedJob {
   std::span<const std::uint8_t> bytes;
-  ArcModules modules;  // null where the job has no such arc: the linker leaves that kind out
+  Modules modules;  // null where the job has no such arc: the linker leaves that kind out
   Shader shader = Shader::isqrt;
 };
 

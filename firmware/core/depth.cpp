@@ -116,8 +116,8 @@ DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y)
 }
 
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
-                       Counters& counters)
-    : f_(f), g_(g), y_(y), counters_(counters) {
+                       const ExactModule& exact, Counters& counters)
+    : f_(f), g_(g), y_(y), exact_(exact), counters_(counters) {
   push(a, b, 0);
 }
 
@@ -145,7 +145,7 @@ int DepthOrder::order_at(std::int32_t x) {
     if (-difference > f.error + g.error) return -1;
   }
   ++counters_.exact_depths;
-  return compare_depth(f_, g_, x, y_);
+  return exact_.compare_depth(f_, g_, x, y_);
 }
 
 // Two planes: their distance is linear along the run, so equal signs at the ends settle it.

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 
+#include "firmware/core/exact.hpp"
 #include "firmware/core/face.hpp"
 
 namespace halfspace {
@@ -46,7 +47,7 @@ inline constexpr int depth_fraction = 16;
 class DepthOrder {
  public:
   DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
-             Counters& counters);
+             const ExactModule& exact, Counters& counters);
 
   // The next piece: dots up to and including `end`, and whether f (else g) is the one to show there.
   struct Piece {
@@ -71,6 +72,7 @@ class DepthOrder {
   const ActiveFace& f_;
   const ActiveFace& g_;
   std::int32_t y_;
+  const ExactModule& exact_;
   Counters& counters_;
   Run stack_[34];
   int depth_ = 0;

@@ -83,16 +83,17 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
 class Engine {
  public:
   Engine(const JobHeader& header, const Pools& pools, JobReader& in, BandSink& sink, const DrawOptions& options,
-         ArcModules modules, std::int32_t band_rows, DrawResult& result)
+         const Modules& modules, const ExactModule& exact, std::int32_t band_rows, DrawResult& result)
       : h_(header),
         p_(pools),
         in_(in),
         sink_(sink),
         options_(options),
         modules_(modules),
+        exact_(exact),
         band_rows_(band_rows),
         result_(result),
-        spans_(pools.spans, pools.faces, result.counters),
+        spans_(pools.spans, pools.faces, exact, result.counters),
         painter_(header.page, pools.row, pools.patterns),
         levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
 
@@ -175,7 +176,7 @@ class Engine {
     start.x = in_.number_in(h_.x0, h_.x1 + 1);
     start.y = y;
     if (in_.failed() || active_arc_count_ == p_.active_arcs.size()) return fail(DrawStatus::bad_record);
-    const ArcModule* module = modules_[static_cast<std::size_t>(kind)];
+    const ArcModule* module = modules_.arcs[static_cast<std::size_t>(kind)];
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
     p_.arcs[number] = {module, last, module->load(in_, start, state(number))};
     p_.active_arcs[active_arc_count_++] = number;
@@ -289,9 +290,9 @@ class Engine {
         ++counters.level_spans;
         painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
       } else if (face.kind == FaceKind::root) {
-        shade_root_span({face, h_.lighting, levels_, painter_, counters}, options_.shader, y, span.x0, span.x1);
+        shade_root_span({face, h_.lighting, levels_, exact_, painter_, counters}, options_.shader, y, span.x0, span.x1);
       } else {
-        shade_rational_span({face, h_.lighting, levels_, painter_, counters}, y, span.x0, span.x1);
+        shade_rational_span({face, h_.lighting, levels_, exact_, painter_, counters}, y, span.x0, span.x1);
       }
     }
   }
@@ -313,7 +314,8 @@ class Engine {
   JobReader& in_;
   BandSink& sink_;
   const DrawOptions& options_;
-  ArcModules modules_;
+  const Modules& modules_;
+  const ExactModule& exact_;
   std::int32_t band_rows_;
   DrawResult& result_;
   SpanList spans_;
@@ -331,6 +333,14 @@ std::int32_t choose_band_rows(const JobHeader& header, std::int32_t preferred, s
   return rows;
 }
 
+// The narrowest module that holds `bits`; none: nullptr.
+const ExactModule* choose_exact(const Modules& modules, std::int32_t bits) {
+  for (const ExactModule* module : modules.exact) {
+    if (module != nullptr && module->bits >= bits) return module;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
@@ -340,8 +350,13 @@ std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
 }
 
 DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,
-                const DrawOptions& options, ArcModules modules) {
+                const DrawOptions& options, const Modules& modules) {
   DrawResult result;
+  const ExactModule* exact = choose_exact(modules, header.needs.exact_bits);
+  if (exact == nullptr) {
+    result.status = DrawStatus::missing_module;
+    return result;
+  }
   result.band_rows = choose_band_rows(header, options.band_rows, memory.size());
   result.need = static_cast<std::int64_t>(memory_needed(header, result.band_rows));
   result.have = static_cast<std::int64_t>(memory.size());
@@ -351,12 +366,12 @@ DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::spa
   }
   Arena arena(memory);
   const Pools pools = carve(arena, header, result.band_rows);
-  Engine(header, pools, in, sink, options, modules, result.band_rows, result).run();
+  Engine(header, pools, in, sink, options, modules, *exact, result.band_rows, result).run();
   return result;
 }
 
 DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
-                ArcModules modules) {
+                const Modules& modules) {
   JobReader in(job);
   JobHeader header;
   if (!read_header(in, header)) {

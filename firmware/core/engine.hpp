@@ -18,13 +18,17 @@
 
 #include "firmware/core/arc.hpp"
 #include "firmware/core/depth.hpp"
+#include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
 
 namespace halfspace {
 
-// The arc kinds a firmware can follow, by ArcKind; a null entry is left out of the program.
-using ArcModules = std::span<const ArcModule* const, arc_kinds>;
-extern const ArcModule* const all_arc_modules[arc_kinds];
+// What a firmware can do: a null entry is left out of the program.
+struct Modules {
+  std::array<const ArcModule*, arc_kinds> arcs{};        // by ArcKind
+  std::array<const ExactModule*, exact_widths> exact{};  // narrow to wide
+};
+extern const Modules all_modules;
 
 struct DrawOptions {
   Shader shader = Shader::isqrt;
@@ -36,7 +40,7 @@ enum class DrawStatus : std::uint8_t {
   ok,
   not_a_job,       // magic, version or header
   bad_record,      // a record is malformed or the job ends early
-  missing_module,  // the job names an arc kind this firmware leaves out
+  missing_module,  // the job needs an arc kind or a width this firmware leaves out
   does_not_fit,    // memory: see need and have, in bytes
   too_many_spans,  // a scan line has more spans than the header says: need is at least have + 1
   stopped,         // the band sink refused a band
@@ -56,10 +60,10 @@ struct DrawResult {
 
 // Draws the job whose header `in` has just delivered. `memory` must be aligned to 8 bytes.
 [[nodiscard]] DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,
-                              const DrawOptions& options, ArcModules modules);
+                              const DrawOptions& options, const Modules& modules);
 
 // The same from a job's first byte.
 [[nodiscard]] DrawResult draw(ByteSource& job, BandSink& sink, std::span<std::byte> memory, const DrawOptions& options,
-                              ArcModules modules);
+                              const Modules& modules);
 
 }  // namespace halfspace

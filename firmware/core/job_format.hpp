@@ -49,6 +49,7 @@ struct JobNeeds {
   std::int32_t faces = 0, arcs = 0, cells = 0;  // slots in use at once
   std::int32_t spans = 0;                       // pieces of the fullest scan line
   std::int32_t arc_bytes = 0;                   // the largest arc kind's registers
+  std::int32_t exact_bits = 0;                  // of the widest form that exact arithmetic may meet
 };
 
 struct JobHeader {

@@ -81,6 +81,7 @@ void read_needs(JobReader& in, JobNeeds& n) {
   n.cells = in.number_in(0, max_pool);
   n.spans = in.number_in(0, max_pool);
   n.arc_bytes = in.number_in(0, 1024);
+  n.exact_bits = in.number_in(0, 4096);
 }
 
 }  // namespace

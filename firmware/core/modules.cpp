@@ -2,7 +2,8 @@
 
 namespace halfspace {
 
-const ArcModule* const all_arc_modules[arc_kinds] = {&line_arc_64,  &line_arc_128,  &line_arc_256,
-                                                     &conic_arc_64, &conic_arc_128, &conic_arc_256};
+const Modules all_modules = {
+    {&line_arc_64, &line_arc_128, &line_arc_256, &conic_arc_64, &conic_arc_128, &conic_arc_256},
+    {&exact_384, &exact_768, &exact_1152}};
 
 }  // namespace halfspace

@@ -112,7 +112,7 @@ void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
       const Answer answer = compare(here, margin, job.table.squares[static_cast<std::size_t>(k)]);
       if (answer != Answer::unsure) return answer == Answer::yes;
       ++job.counters.exact_levels;
-      return reaches_level(job.face, job.lighting, job.table.levels, k, x, y);
+      return job.exact.reaches_level(job.face, job.lighting, job.table.levels, k, x, y);
     });
   });
 }

@@ -163,7 +163,7 @@ class SpanShader {
     const Answer answer = compare(at_.at(s), fine(s), job_.table.squares[static_cast<std::size_t>(k)]);
     if (answer != Answer::unsure) return answer == Answer::yes;
     ++job_.counters.exact_levels;
-    return reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
+    return job_.exact.reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
   }
 
   const ShadeJob& job_;

@@ -33,6 +33,7 @@ struct ShadeJob {
   const ActiveFace& face;
   const Lighting& lighting;
   const LevelTable& table;
+  const ExactModule& exact;
   RowPainter& painter;
   Counters& counters;
 };

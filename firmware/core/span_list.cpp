@@ -41,7 +41,7 @@ void SpanList::remove(std::uint16_t slot) {
 // Dots x0 .. x1, all covered by `old`'s face until now: the nearer of both, piece by piece.
 bool SpanList::merge(std::uint16_t face, const Span& old, std::int32_t x0, std::int32_t x1) {
   const std::uint16_t old_face = old.face;
-  DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, counters_);
+  DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();
     if (!add(piece.first ? face : old_face, x0, piece.end)) return false;

@@ -24,8 +24,8 @@ struct Span {
 
 class SpanList {
  public:
-  SpanList(std::span<Span> pool, std::span<const ActiveFace> faces, Counters& counters)
-      : pool_(pool), faces_(faces), counters_(counters) {}
+  SpanList(std::span<Span> pool, std::span<const ActiveFace> faces, const ExactModule& exact, Counters& counters)
+      : pool_(pool), faces_(faces), exact_(exact), counters_(counters) {}
 
   void clear(std::int32_t y);
   // Merges dots x0 .. x1 of a face. x0 must not be less than in the call before.
@@ -43,6 +43,7 @@ class SpanList {
 
   std::span<Span> pool_;
   std::span<const ActiveFace> faces_;
+  const ExactModule& exact_;
   Counters& counters_;
   std::int32_t y_ = 0;
   std::int32_t used_ = 0;

@@ -89,7 +89,7 @@ DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRe
   {
     ProgressSink progress(sink, choice.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
     drawn.result = draw(source, progress, std::as_writable_bytes(std::span(memory)),
-                        {.shader = request.shader, .band_rows = rows, .measure = false}, ArcModules(all_arc_modules));
+                        {.shader = request.shader, .band_rows = rows, .measure = false}, all_modules);
   }
   if (drawn.result.status != DrawStatus::ok) {
     device.abort();

@@ -102,13 +102,15 @@ class JobWriter {
 
 // Every face's forms, and any two depths, must fit the core's widths.
 void JobWriter::check_faces() {
-  FaceBits largest;
+  FaceBits roots, all;
+  int exact_bits = 0;
+  SourcePosition widest;
   for (const Face& face : resolved_.faces) {
     const IntegerBody& body = scene_.bodies[face.body];
     const IntegerHalfSpace& half_space = body.half_spaces[face.half_space];
     const FaceBits bits = face_bits(scene_, body, half_space);
     const auto too_wide = [](const mpz_class& c) { return bits_of(c) > 127; };
-    std::optional<std::string> fault = check_face(scene_, bits);
+    std::optional<std::string> fault = check_face(bits);
     if (std::abs(body.origin[0]) > largest_origin || std::abs(body.origin[1]) > largest_origin) {
       fault = "its local frame lies more than " + std::to_string(largest_origin) + " dots off";
     }
@@ -118,13 +120,19 @@ void JobWriter::check_faces() {
       limit(half_space.position, "'" + half_space.name + "' in body '" + body.name + "' is too large or too far: " +
                                      *fault + "; move it nearer to the page or draw it smaller");
     }
-    largest.p = std::max(largest.p, bits.p);
-    largest.q = std::max(largest.q, bits.q);
-    largest.d = std::max(largest.d, bits.d);
+    if (const int levels = level_bits(scene_, bits); levels > exact_bits) {
+      exact_bits = levels;
+      widest = half_space.position;
+    }
+    all.extend(bits);
+    if (bits.q != 0) roots.extend(bits);
   }
-  if (const auto fault = check_depths(scene_, largest)) {
-    limit({}, "the scene's bodies differ too much in size or distance: " + *fault);
+  exact_bits = std::max(exact_bits, depth_bits(scene_, roots, all));
+  if (exact_bits > exact_1152.bits) {
+    limit(widest, "the scene needs exact arithmetic of " + std::to_string(exact_bits) + " bits, and the core has " +
+                      std::to_string(exact_1152.bits) + ": bring its bodies nearer to one size, and to the page");
   }
+  result_.header.needs.exact_bits = exact_bits;
   kinds_.reserve(resolved_.arcs.size());
   for (const Arc& arc : resolved_.arcs) {
     const std::optional<ArcKind> kind = arc_kind(scene_, arc);
@@ -174,7 +182,7 @@ void JobWriter::collect() {
   for (const Lifetime& l : arcs) {
     arc_slot_[l.item] = l.slot;
     events_.push_back({l.y0, Kind::arc, l.item, l.slot});
-    needs.arc_bytes = std::max(needs.arc_bytes, all_arc_modules[static_cast<int>(kinds_[l.item])]->bytes);
+    needs.arc_bytes = std::max(needs.arc_bytes, all_modules.arcs[static_cast<std::size_t>(kinds_[l.item])]->bytes);
   }
   for (const Lifetime& l : cells) {
     const bool span = l.item >= cell_count;
@@ -215,9 +223,8 @@ std::int32_t JobWriter::measure() const {
   MemorySource source(job);
   NoSink sink;
   std::vector<std::uint64_t> memory(memory_needed(result_.header, 1) / 8 + 1);
-  const DrawResult drawn =
-      draw(source, sink, std::as_writable_bytes(std::span(memory)),
-           {.shader = Shader::isqrt, .band_rows = 1, .measure = true}, ArcModules(all_arc_modules));
+  const DrawResult drawn = draw(source, sink, std::as_writable_bytes(std::span(memory)),
+                                {.shader = Shader::isqrt, .band_rows = 1, .measure = true}, all_modules);
   return drawn.status == DrawStatus::ok ? drawn.peak_spans : largest_pool;
 }
 
@@ -238,7 +245,7 @@ void JobWriter::write_header(JobBytes& out) const {
   for (const std::int32_t l : h.lighting.light) out.number(l);
   for (const std::int32_t i : {h.lighting.unit, h.lighting.ambient, h.lighting.parallel}) out.number(i);
   const JobNeeds& n = h.needs;
-  for (const std::int32_t need : {n.faces, n.arcs, n.cells, n.spans, n.arc_bytes}) out.number(need);
+  for (const std::int32_t need : {n.faces, n.arcs, n.cells, n.spans, n.arc_bytes, n.exact_bits}) out.number(need);
 }
 
 void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delta) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "firmware/core/exact.hpp"
 #include "host/job/job_bytes.hpp"
 
 namespace halfspace {
@@ -30,6 +29,14 @@ int largest_origin_bits(const IntegerScene& scene) {
 }
 
 }  // namespace
+
+void FaceBits::extend(const FaceBits& other) {
+  p = std::max(p, other.p);
+  q = std::max(q, other.q);
+  d = std::max(d, other.d);
+  normal = std::max(normal, other.normal);
+  linear = std::max(linear, other.linear);
+}
 
 FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
   const Extent e = extent_of(scene.scissor, body.origin);
@@ -73,26 +80,31 @@ FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const Int
   return bits;
 }
 
-std::optional<std::string> check_face(const IntegerScene& scene, const FaceBits& f) {
+std::optional<std::string> check_face(const FaceBits& f) {
   if (f.linear > 125) return "its depth needs more than 126 bits";
   // root_surface.cpp: |N|^2 in 512 bits; rational_shade.cpp: a component, with its partial sums, in 256.
   if (f.q + 4 > 255 || f.normal + 20 > 255 || f.p > 250) return "its shading needs more than 256 bits";
-  // exact.cpp reaches_level: P = scale^2 (l . N)^2 + t^2 l2 |N|^2, then P^2.
+  return std::nullopt;
+}
+
+int level_bits(const IntegerScene& scene, const FaceBits& f) {
+  // reaches_level: P = scale^2 (l . N)^2 + t^2 l2 |N|^2, and its square where there is a root.
   const int light = 18 + f.normal + 2;
   const int scale = bits_of_int(scene.levels - 1) + bits_of_int(scene.lighting.parallel);
   const int threshold = bits_of_int(scene.levels) + bits_of_int(scene.lighting.unit);
   const int p = 3 + std::max(2 * scale + 2 * light, 2 * threshold + 2 * 17 + 2 * f.normal + 3);
-  if (2 * p + 2 > exact_bits - 1) return "its levels need more than " + std::to_string(exact_bits) + " bits";
-  return std::nullopt;
+  return 1 + (f.q == 0 ? p : 2 * p + 2);
 }
 
-std::optional<std::string> check_depths(const IntegerScene& scene, const FaceBits& f) {
-  const int a = 2 + std::max(largest_origin_bits(scene) + 1 + 2 * f.d, f.p + f.d);
-  const int p = 2 + std::max(2 * a, 2 * f.d + f.q + 1);
-  if (std::max(2 * p, 2 * (2 * f.d + 1) + 2 * f.q) + 2 > exact_bits - 1) {
-    return "its depths need more than " + std::to_string(exact_bits) + " bits";
-  }
-  return std::nullopt;
+int depth_bits(const IntegerScene& scene, const FaceBits& roots, const FaceBits& all) {
+  // compare_depth: A + B sqrt(q1) + C sqrt(q2). One root asks for A^2 - B^2 q; two for the square of A^2 - ...
+  const auto first = [&scene](const FaceBits& f) {
+    return 2 + std::max(largest_origin_bits(scene) + 1 + 2 * f.d, f.p + f.d);
+  };
+  const int one_root = std::max(2 * first(all), 2 * all.d + all.q) + 2;
+  const int p = 2 + std::max(2 * first(roots), 2 * roots.d + roots.q + 1);
+  const int two_roots = std::max(2 * p, 2 * (2 * roots.d + 1) + 2 * roots.q) + 2;
+  return 1 + std::max(one_root, two_roots);
 }
 
 std::optional<ArcKind> arc_kind(const IntegerScene& scene, const Arc& arc) {

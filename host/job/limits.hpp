@@ -13,18 +13,23 @@ namespace halfspace {
 
 // Bits of the quantities that firmware/core/exact.cpp forms for one face, over every dot of the scissor.
 struct FaceBits {
-  int p = 0, q = 0, d = 0;  // z = (p + s sqrt(q)) / d
+  int p = 0, q = 0, d = 0;  // z = (p + s sqrt(q)) / d; q = 0: no root
   int normal = 0;           // u of the largest component of d * N
   int linear = 0;           // c0 x + c1 y + c3 of a plane, b of a root face: kept in 128 bits
+
+  void extend(const FaceBits& other);  // the larger of each
 };
 
 [[nodiscard]] FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body,
                                  const IntegerHalfSpace& half_space);
 
-// What is too large, in words; nothing when every width holds.
-[[nodiscard]] std::optional<std::string> check_face(const IntegerScene& scene, const FaceBits& face);
-// Two depths compared exactly: `largest` holds the maxima over all faces of the job.
-[[nodiscard]] std::optional<std::string> check_depths(const IntegerScene& scene, const FaceBits& largest);
+// What is too large for the core's filters, in words; nothing when every width holds.
+[[nodiscard]] std::optional<std::string> check_face(const FaceBits& face);
+
+// Bits, sign included, that exact arithmetic (firmware/core/exact.cpp) may need for a face's levels, and for any two depths: the
+// maxima over the faces with a root, and over all faces.
+[[nodiscard]] int level_bits(const IntegerScene& scene, const FaceBits& face);
+[[nodiscard]] int depth_bits(const IntegerScene& scene, const FaceBits& roots, const FaceBits& all);
 
 // The narrowest kind whose registers hold the arc's form on every dot and line it may visit; nothing if none
 // does.

@@ -61,7 +61,7 @@ void draw_page(benchmark::State& state, const std::string& name, bool with_bodie
     MemorySource source(job.bytes);
     Nowhere sink;
     return draw(source, sink, std::as_writable_bytes(std::span(memory)),
-                {.shader = shader, .band_rows = band_rows, .measure = false}, ArcModules(all_arc_modules));
+                {.shader = shader, .band_rows = band_rows, .measure = false}, all_modules);
   };
   const DrawResult counted = draw_once();
   if (counted.status != DrawStatus::ok) state.SkipWithError("the core refuses the job");

@@ -75,12 +75,17 @@ bool draw_here(const Request& request, const JobResult& job) {
   MemorySource source(job.bytes);
   FileSink sink(request.name + ".bin");
   std::vector<std::uint64_t> memory(memory_needed(job.header, 1) / 8 + 1);
-  const DrawResult drawn =
-      draw(source, sink, std::as_writable_bytes(std::span(memory)),
-           {.shader = request.shader, .band_rows = 1, .measure = false}, ArcModules(all_arc_modules));
+  const DrawResult drawn = draw(source, sink, std::as_writable_bytes(std::span(memory)),
+                                {.shader = request.shader, .band_rows = 1, .measure = false}, all_modules);
   if (drawn.status == DrawStatus::ok) return true;
   std::cerr << "error: the core drew " << request.scene << " with status " << static_cast<int>(drawn.status) << '\n';
   return false;
+}
+
+// The narrowest width that the job can do with.
+const char* exact_module(std::int32_t bits) {
+  if (bits <= exact_384.bits) return "exact_384";
+  return bits <= exact_768.bits ? "exact_768" : "exact_1152";
 }
 
 bool write_source(const Request& request, const Compiled& compiled) {
@@ -90,7 +95,7 @@ bool write_source(const Request& request, const Compiled& compiled) {
   out << "#include \"firmware/app/embedded_job.hpp\"\n\nnamespace halfspace {\n\nstatic constexpr std::uint8_t bytes[] "
          "= {";
   for (const std::uint8_t byte : compiled.job.bytes) out << static_cast<int>(byte) << ',';
-  out << "};\nstatic constexpr const ArcModule* modules[arc_kinds] = {";
+  out << "};\nconstinit const EmbeddedJob embedded_job{bytes, {{";
   for (int i = 0; i < arc_kinds; ++i) {
     if (compiled.kinds.contains(static_cast<ArcKind>(i))) {
       out << '&' << names[i] << ',';
@@ -98,8 +103,9 @@ bool write_source(const Request& request, const Compiled& compiled) {
       out << "nullptr,";
     }
   }
-  out << "};\nconstinit const EmbeddedJob embedded_job{bytes, ArcModules(modules), Shader::"
-      << (request.shader == Shader::jordan ? "jordan" : "isqrt") << "};\n\n}  // namespace halfspace\n";
+  out << "}, {&" << exact_module(compiled.job.header.needs.exact_bits)
+      << "}}, Shader::" << (request.shader == Shader::jordan ? "jordan" : "isqrt")
+      << "};\n\n}  // namespace halfspace\n";
   out.flush();
   if (!out)
     std::cerr << "error: cannot write " << request.name << ".cpp; choose a NAME in a folder that can be written\n";

@@ -29,7 +29,7 @@ std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedSce
   MemorySource source(job.bytes);
   Collector collector;
   drawn.result = draw(source, collector, std::as_writable_bytes(std::span(memory)),
-                      {.shader = shader, .band_rows = 16, .measure = false}, ArcModules(all_arc_modules));
+                      {.shader = shader, .band_rows = 16, .measure = false}, all_modules);
   if (drawn.result.status != DrawStatus::ok) {
     drawn.refusal = "core status " + std::to_string(static_cast<int>(drawn.result.status));
   }

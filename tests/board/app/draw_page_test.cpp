@@ -77,7 +77,7 @@ Outcome run(const std::vector<std::uint8_t>& job, DeviceStatus at_band = DeviceS
   NotingDevice device(at_band);
   StillClock clock;
   FlashSource source(job);
-  const PageReport report = draw_page(source, device, clock, memory, Shader::isqrt, ArcModules(all_arc_modules));
+  const PageReport report = draw_page(source, device, clock, memory, Shader::isqrt, all_modules);
   return {report, device.calls};
 }
 
