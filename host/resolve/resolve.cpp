@@ -10,8 +10,8 @@ namespace halfspace {
 namespace {
 
 Extent local_extent(const IntegerBody& body, const Scissor& scissor) {
-  return {std::max(body.x0, scissor.x0) - body.origin[0], std::max(body.y0, scissor.y0) - body.origin[1],
-          std::min(body.x1, scissor.x1) - body.origin[0], std::min(body.y1, scissor.y1) - body.origin[1]};
+  return {scissor.x0 - body.origin[0], scissor.y0 - body.origin[1], scissor.x1 - body.origin[0],
+          scissor.y1 - body.origin[1]};
 }
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
