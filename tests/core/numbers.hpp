@@ -55,11 +55,11 @@ mpz_class to_mpz(const Wide<Bits>& value) {
 
 inline mpz_class to_mpz(std::int64_t value) { return static_cast<long>(value); }
 
-// sign(a + b sqrt(q1) + c sqrt(q2)) for values of at most 1000 bits each. A non-zero sum exceeds 2^-9000, since the product
-// with its three conjugates is a non-zero integer; so 10000 bits of fraction tell zero from the rest.
+// sign(a + b sqrt(q1) + c sqrt(q2)) for terms below 2^600. A non-zero sum exceeds 2^-1900: its product with its three
+// conjugates is a non-zero integer. So 2000 bits of fraction tell zero from the rest.
 inline int sign_of_sum(const mpz_class& a, const mpz_class& b, const mpz_class& q1, const mpz_class& c = 0,
                        const mpz_class& q2 = 0) {
-  constexpr unsigned fraction = 10000;
+  constexpr unsigned fraction = 2000;
   const auto root = [](const mpz_class& k, const mpz_class& q) {
     const mpz_class r = sqrt(mpz_class((k * k * q) << (2 * fraction)));
     return sgn(k) < 0 ? mpz_class(-r) : r;

@@ -1,0 +1,190 @@
+// Depths: the filter's error bound, the order of two faces along a run, and the exact comparison, against GMP.
+#include "firmware/core/depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "firmware/core/exact.hpp"
+#include "tests/core/faces.hpp"
+
+namespace halfspace {
+namespace {
+
+using namespace testing;
+
+constexpr std::int32_t side = 80;
+
+TestFace any_face(Dice& dice, const Lighting& lighting) {
+  for (;;) {
+    const auto kind = static_cast<FaceKind>(between(dice, 0, 2));
+    const int bits = static_cast<int>(between(dice, 4, 58));
+    TestFace face = dice() % 2 == 0 ? solid_face(dice, between(dice, 0, side), between(dice, 0, side),
+                                                 between(dice, 3, 60), lighting)
+                                    : random_face(dice, kind, bits, lighting);
+    if (exact_for({&face}, lighting, 65, side) != nullptr) return face;
+  }
+}
+
+// |z - p| d <= error d, z and error in 2^-16 dot: two signs decide.
+TEST(SampleDepth, TheTrueDepthLiesWithinItsError) {
+  Dice dice(10);
+  int samples = 0;
+  for (int trial = 0; trial < 6000; ++trial) {
+    const TestFace face = any_face(dice, random_lighting(dice));
+    const auto x = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto exact = testing::depth_at(face, x, y);
+    const DepthSample sample = sample_depth(face.active, x, y);
+    if (!exact || sample.error < 0) continue;
+    ++samples;
+    const mpz_class scale = mpz_class(1) << depth_fraction;
+    for (const int side_of : {-1, 1}) {
+      const mpz_class limit = to_mpz(sample.z + side_of * sample.error);
+      const int sign = sign_of_sum(exact->p * scale - limit * exact->d, exact->s * scale, exact->q);
+      ASSERT_NE(sign, side_of) << "kind " << static_cast<int>(face.active.kind) << " z " << sample.z << " error "
+                               << sample.error << " trial " << trial;
+    }
+  }
+  EXPECT_GT(samples, 2000);
+}
+
+TEST(SampleDepth, OrdinarySolidsAreKnownToAThousandthOfADot) {
+  Dice dice(11);
+  const Lighting lighting = random_lighting(dice);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const TestFace face = solid_face(dice, 40, 40, 30, lighting);
+    if (face.active.kind != FaceKind::root || !testing::depth_at(face, 41, 39)) continue;
+    const DepthSample sample = sample_depth(face.active, 41, 39);
+    ASSERT_GE(sample.error, 0);
+    ASSERT_LT(sample.error, 64) << "z " << sample.z;
+  }
+}
+
+TEST(CompareDepth, AgreesWithGmp) {
+  Dice dice(12);
+  const Lighting lighting = random_lighting(dice);
+  int ties = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const TestFace f = any_face(dice, lighting);
+    TestFace g = any_face(dice, lighting);
+    // Every third time the same surface, multiplied, or shifted by the least amount.
+    if (trial % 3 == 0) {
+      auto c = f.c;
+      for (mpz_class& k : c) k *= 3;
+      if (dice() % 2 == 0) c[f.active.kind == FaceKind::plane ? 3 : 9] += between(dice, -1, 1);
+      g = make_face(f.active.kind, c, {f.active.origin_x, f.active.origin_y, f.active.origin_z}, f.active.sheet, 1, 7,
+                    lighting);
+    }
+    const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
+    if (exact == nullptr) continue;
+    for (int i = 0; i < 8; ++i) {
+      const auto x = static_cast<std::int32_t>(between(dice, 0, side - 1));
+      const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+      const auto zf = testing::depth_at(f, x, y);
+      const auto zg = testing::depth_at(g, x, y);
+      if (!zf || !zg) continue;
+      const int expected = testing::compare(*zf, *zg);
+      ties += expected == 0 ? 1 : 0;
+      ASSERT_EQ(exact->compare_depth(f.active, g.active, x, y), expected)
+          << "trial " << trial << " dot " << x << ", " << y;
+      ASSERT_EQ(exact->compare_depth(g.active, f.active, x, y), -expected);
+    }
+  }
+  EXPECT_GT(ties, 100);
+}
+
+// A second face close to the first: the same surface moved, tilted or turned to its other sheet.
+TestFace neighbour(Dice& dice, const TestFace& f, const Lighting& lighting) {
+  auto c = f.c;
+  const std::size_t last = f.active.kind == FaceKind::plane ? 4 : 10;
+  for (std::size_t i = 0; i < last; ++i) {
+    if (i != 2 && dice() % 3 == 0) c[i] += between(dice, -2, 2);
+  }
+  const int sheet = dice() % 3 == 0 ? -f.active.sheet : f.active.sheet;
+  return make_face(
+      f.active.kind, c,
+      {f.active.origin_x + between(dice, -1, 1), f.active.origin_y, f.active.origin_z + between(dice, -1, 1)}, sheet, 1,
+      static_cast<std::uint32_t>(dice() % 1000), lighting);
+}
+
+void expect_dot_by_dot(const TestFace& f, const TestFace& g, const ExactModule& exact, std::int32_t y, DotRun run) {
+  Counters counters;
+  DepthOrder order(f.active, g.active, y, run.x0, run.x1, exact, counters);
+  std::int32_t x = run.x0;
+  while (!order.done()) {
+    const DepthOrder::Piece piece = order.next();
+    ASSERT_GE(piece.end, x);
+    for (; x <= piece.end; ++x) {
+      const int sign = testing::compare(*testing::depth_at(f, x, y), *testing::depth_at(g, x, y));
+      const bool first = sign != 0 ? sign < 0 : f.active.order < g.active.order;
+      ASSERT_EQ(piece.first, first) << "dot " << x << " of " << run.x0 << ".." << run.x1 << " line " << y;
+    }
+  }
+  ASSERT_EQ(x, run.x1 + 1) << "the pieces cover the run";
+}
+
+TEST(DepthOrder, PiecesEqualTheExactOrderDotByDot) {
+  Dice dice(13);
+  const Lighting lighting = random_lighting(dice);
+  int dots = 0;
+  for (int trial = 0; trial < 400 || dots < 20000; ++trial) {
+    ASSERT_LT(trial, 4000) << "too few runs are shared";
+    const TestFace f = any_face(dice, lighting);
+    const TestFace g = trial % 2 == 0 ? any_face(dice, lighting) : neighbour(dice, f, lighting);
+    const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
+    if (exact == nullptr) continue;
+    const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    for (const DotRun& a : runs_of(f, y, side)) {
+      for (const DotRun& b : runs_of(g, y, side)) {
+        const DotRun both{std::max(a.x0, b.x0), std::min(a.x1, b.x1)};
+        if (both.x0 > both.x1) continue;
+        dots += both.x1 - both.x0 + 1;
+        expect_dot_by_dot(f, g, *exact, y, both);
+        ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+      }
+    }
+  }
+}
+
+// Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.
+TEST(DepthOrder, TheLongestTieFitsTheStackAndGoesToTheLowerOrder) {
+  const Lighting lighting;
+  std::array<mpz_class, 10> c;
+  c[0] = c[1] = c[2] = 1;
+  c[9] = -mpz_class(40000) * 40000;
+  for (const std::int32_t length : {1, 2, 3, 32766, 32767}) {
+    for (const std::uint32_t order : {3U, 5U}) {
+      const TestFace f = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, order, lighting);
+      const TestFace g = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, 4, lighting);
+      Counters counters;
+      DepthOrder pieces(f.active, g.active, 10, 0, length - 1, exact_384, counters);
+      std::int32_t x = 0;
+      while (!pieces.done()) {
+        const auto piece = pieces.next();
+        ASSERT_EQ(piece.first, order < 4);
+        x = piece.end + 1;
+      }
+      ASSERT_EQ(x, length);
+    }
+  }
+}
+
+TEST(DepthOrder, CrossingsCostTheirLogarithmNotTheRun) {
+  const Lighting lighting;
+  std::array<mpz_class, 10> sphere;
+  sphere[0] = sphere[1] = sphere[2] = 1;
+  sphere[9] = -mpz_class(20000) * 20000;
+  std::array<mpz_class, 10> plane;
+  plane[2] = 3;
+  plane[0] = 1;
+  plane[3] = 30000;
+  const TestFace f = make_face(FaceKind::root, sphere, {16000, 10, 0}, -1, 1, 0, lighting);
+  const TestFace g = make_face(FaceKind::plane, plane, {16000, 10, 0}, 0, 1, 1, lighting);
+  Counters counters;
+  DepthOrder pieces(f.active, g.active, 10, 0, 32000, exact_384, counters);
+  while (!pieces.done()) (void)pieces.next();
+  EXPECT_LT(counters.depth_samples, 600U);
+  EXPECT_LT(counters.exact_depths, 8U);
+}
+
+}  // namespace
+}  // namespace halfspace
