@@ -13,6 +13,13 @@ Matrix4 inverse(const TranslateTransform& t) {
   return m;
 }
 
+Matrix4 inverse(const TranslateAllTransform& t) {
+  const Real back = -decimal_to_real(t.distance.text);
+  Matrix4 m = identity_matrix;
+  m[3] = {back, back, back, 1};
+  return m;
+}
+
 Matrix4 inverse(const ScaleTransform& t) {
   Matrix4 m = identity_matrix;
   m[index(t.axis)][index(t.axis)] = 1 / decimal_to_real(t.factor.text);

@@ -57,6 +57,9 @@ struct TranslateTransform {
   Axis axis;
   Number distance;
 };
+struct TranslateAllTransform {  // =ta
+  Number distance;
+};
 struct ScaleTransform {
   Axis axis;
   Number factor;
@@ -73,7 +76,8 @@ struct ShearTransform {  // =vxy: along x, moved y: y' = y + amount * x
   Axis moved;
   Number amount;
 };
-using Transform = std::variant<TranslateTransform, ScaleTransform, ScaleAllTransform, RotateTransform, ShearTransform>;
+using Transform = std::variant<TranslateTransform, TranslateAllTransform, ScaleTransform, ScaleAllTransform,
+                               RotateTransform, ShearTransform>;
 
 struct InstanceStatement {
   std::string id;

@@ -8,7 +8,7 @@ namespace halfspace {
 namespace {
 
 constexpr std::string_view transform_list =
-    "a transform (=tx =ty =tz =sx =sy =sz =sa =rx =ry =rz =vxy =vxz =vyx =vyz =vzx =vzy)";
+    "a transform (=tx =ty =tz =ta =sx =sy =sz =sa =rx =ry =rz =vxy =vxz =vyx =vyz =vzx =vzy)";
 
 std::optional<Axis> find_axis(char letter) {
   if (letter < 'x' || letter > 'z') return std::nullopt;
@@ -40,6 +40,7 @@ std::optional<Transform> make_shear(std::string_view key, const Number& number) 
 // `option` starts with '='. Empty when it names no transform.
 std::optional<Transform> make_transform(std::string_view option, const Number& number) {
   const std::string_view key = option.substr(1);
+  if (key == "ta") return TranslateAllTransform{number};
   if (key == "sa") return ScaleAllTransform{number};
   if (key.size() == 2) return make_axis_transform(key, number);
   if (key.size() == 3) return make_shear(key, number);

@@ -31,6 +31,12 @@ TEST(Conventions, RotationsFollowTheRightHandOnRowVectors) {
   expect_near(ball_at("=tx 4 =rz 30"), {100 + 40 * 0.86602540378443865, 80, 0}, 1e-4);
 }
 
+TEST(Conventions, TranslationMovesAlongOneAxisOrAll) {
+  expect_near(ball_at("=tx 3 =ty 2 =tz 1"), {130, 80, 10}, 0);
+  expect_near(ball_at("=ta 3"), {130, 70, 30}, 0);
+  expect_near(ball_at("=tx 1 =ta -2.5"), {85, 125, -25}, 0);
+}
+
 TEST(Conventions, TransformsConcatenateLeftToRight) {
   expect_near(ball_at("=rz 90 =tx 3"), {130, 100, 0});
   expect_near(ball_at("=tx 1 =sa 2 =tx 1"), {130, 100, 0});

@@ -67,6 +67,11 @@ struct Inverse {
     m[3][static_cast<int>(t.axis)] = -real(t.distance);
     return m;
   }
+  Matrix4 operator()(const TranslateAllTransform& t) const {
+    Matrix4 m = identity();
+    for (int i = 0; i < 3; ++i) m[3][i] = -real(t.distance);
+    return m;
+  }
   Matrix4 operator()(const ScaleTransform& t) const {
     Matrix4 m = identity();
     m[static_cast<int>(t.axis)][static_cast<int>(t.axis)] = reciprocal(t.factor);

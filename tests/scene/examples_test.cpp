@@ -42,8 +42,8 @@ TEST(LanguageDocument, NamesEveryWordOfTheLanguage) {
   for (const std::string word :
        {"plane", "quadric", "body", "definition", "enddef", "instance", "array", "light", "view", "vrp",
         "vpn",   "vup",     "dop",  "cop",        "whh",    "whw",      "fbp",   "=tx",   "=ty",  "=tz",
-        "=sx",   "=sy",     "=sz",  "=sa",        "=rx",    "=ry",      "=rz",   "=vxy",  "=vxz", "=vyx",
-        "=vyz",  "=vzx",    "=vzy", "=t",         "=0",     "=v",       "=p",    "=a",    "=r"}) {
+        "=ta",   "=sx",     "=sy",  "=sz",        "=sa",    "=rx",      "=ry",   "=rz",   "=vxy", "=vxz",
+        "=vyx",  "=vyz",    "=vzx", "=vzy",       "=t",     "=0",       "=v",    "=p",    "=a",   "=r"}) {
     EXPECT_NE(document.find("`" + word), std::string::npos) << word;
   }
 }

@@ -114,6 +114,7 @@ std::string random_tokens(Random& random) {
                                          "=t",
                                          "=0",
                                          "=tx",
+                                         "=ta",
                                          "=sa",
                                          "=p",
                                          "{",

@@ -28,6 +28,7 @@ struct Spell {
 
   std::string operator()(const TranslateTransform& t) const { return option({'t', letter(t.axis)}, t.distance); }
   std::string operator()(const ScaleTransform& t) const { return option({'s', letter(t.axis)}, t.factor); }
+  std::string operator()(const TranslateAllTransform& t) const { return option({'t', 'a'}, t.distance); }
   std::string operator()(const ScaleAllTransform& t) const { return option({'s', 'a'}, t.factor); }
   std::string operator()(const RotateTransform& t) const { return option({'r', letter(t.axis)}, t.degrees); }
   std::string operator()(const ShearTransform& t) const {
@@ -147,8 +148,8 @@ array stack_of_bundles (bundle_of_tubes =ty -7) 3 =ty 5;
 
 TEST(Statements, EveryTransformIsReadInOrder) {
   const std::string all =
-      "=tx 1 =ty 2 =tz 3 =sx 4 =sy 5 =sz 6 =sa 7 =rx 8 =ry 9 =rz 10 "
-      "=vxy 11 =vxz 12 =vyx 13 =vyz 14 =vzx 15 =vzy 16";
+      "=tx 1 =ty 2 =tz 3 =ta 4 =sx 5 =sy 6 =sz 7 =sa 8 =rx 9 =ry 10 =rz 11 "
+      "=vxy 12 =vxz 13 =vyx 14 =vyz 15 =vzx 16 =vzy 17";
   const Scene scene = scene_of(std::string(tube) + "instance i (tube " + all + ");");
   EXPECT_EQ(spell(std::get<InstanceStatement>(scene.top.placements.at(0)).transforms), all);
 }
