@@ -17,6 +17,8 @@ namespace {
 constexpr int square_bits = 60;  // D, q and r s
 constexpr int light_fraction = 28;
 constexpr int root_fraction = 32;
+constexpr std::int32_t longest_walk =
+    512;  // dots from fresh registers: errors grow with the length, a load costs a few dots
 
 struct Registers {
   std::int64_t d, d1, d2;  // D
@@ -178,7 +180,7 @@ class SpanShader {
 }  // namespace
 
 void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  SpanShader(job, y, x0, x1).run(shader);
+  for (; x0 <= x1; x0 += longest_walk) SpanShader(job, y, x0, std::min(x1, x0 + longest_walk - 1)).run(shader);
 }
 
 }  // namespace halfspace
