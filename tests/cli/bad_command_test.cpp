@@ -1,0 +1,97 @@
+// bad_command_test.cpp - command lines that must be refused, and help that must be complete.
+#include "drivers/device_table.hpp"
+#include "tests/cli/cli_fixture.hpp"
+
+namespace halfspace::testing {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+struct BadCommand {
+  const char* name;
+  Arguments arguments;
+  int status;
+  std::vector<std::string> said;
+};
+
+Arguments draw(const Arguments& more) {
+  Arguments all{"render", tube};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+Arguments with_size(const char* size) { return draw({"-d", "gray", "--size", size, "-o", "out.png"}); }
+Arguments with_levels(const char* levels) { return draw({"-d", "gray", "--levels", levels, "-o", "out.png"}); }
+
+std::vector<BadCommand> bad_commands() {
+  return {
+      {"Nothing", {}, 2, {"subcommand"}},
+      {"UnknownSubcommand", {"draw", tube}, 2, {"draw"}},
+      {"UnknownOption", draw({"-o", "out.png", "--colour"}), 2, {"--colour"}},
+      {"NoScene", {"render", "-o", "out.png"}, 2, {"scene"}},
+      {"NoOutput", draw({"-d", "gray"}), 2, {"-o is missing"}},
+      {"EmptyOutput", draw({"-d", "gray", "-o", ""}), 2, {"-o is missing"}},
+      {"UnknownDevice", draw({"-d", "laser", "-o", "out.png"}), 2, {"laser", "varian", "versatec", "gray", "pwg"}},
+      {"UnknownView", draw({"--view", "nowhere", "--size", "8x8", "-o", "out.png"}), 1, {"nowhere", "front"}},
+      {"UnknownEnding", draw({"-o", "out.jpeg"}), 2, {"out.jpeg", ".png"}},
+      {"NoEnding", draw({"-o", "out"}), 2, {"out", ".png"}},
+      {"GrayInBitmap", draw({"-d", "gray", "-o", "out.pbm"}), 2, {".pbm", "use .pgm"}},
+      {"UnknownShader", draw({"--shader", "ray", "-o", "out.png"}), 2, {"--shader", "isqrt", "jordan"}},
+      {"UnknownScreen", draw({"--screen", "dots", "-o", "out.png"}), 2, {"--screen", "bayer"}},
+      {"UnknownBackground", draw({"--background", "red", "-o", "out.png"}), 2, {"--background", "black", "white"}},
+      {"UnknownLanguage", draw({"--language", "c", "-o", "out.png"}), 2, {"--language", "uq"}},
+      {"NoDpi", draw({"--dpi", "0", "-o", "out.png"}), 2, {"--dpi"}},
+      {"NoDots", with_size("0x0"), 2, {"--size 0x0", "at least 1"}},
+      {"NoWidth", with_size("0x5"), 2, {"--size 0x5", "at least 1"}},
+      {"NegativeWidth", with_size("-1x5"), 2, {"-1x5"}},
+      {"OneSide", with_size("5"), 2, {"--size 5", "WIDTHxHEIGHT"}},
+      {"HalfASize", with_size("5x"), 2, {"--size 5x", "WIDTHxHEIGHT"}},
+      {"EmptySize", with_size(""), 2, {"--size"}},
+      {"SizeAndMore", with_size("5x5x5"), 2, {"--size 5x5x5", "WIDTHxHEIGHT"}},
+      {"ManyDots", with_size("2147483648x2147483648"), 4, {"--size 2147483648x2147483648", "largest page", "32767"}},
+      {"EvenMoreDots", with_size("99999999999999999999x1"), 4, {"largest page"}},
+      {"DotsBeyondTheDevice", draw({"-d", "ssd1306", "--size", "129x64", "-o", "out.png"}), 4, {"128x64"}},
+      {"OneLevel", with_levels("1"), 2, {"--levels", "2 - 256"}},
+      {"ManyLevels", with_levels("257"), 2, {"--levels", "2 - 256"}},
+      {"NoLevels", with_levels("0"), 2, {"--levels", "2 - 256"}},
+      {"WordForLevels", with_levels("abc"), 2, {"--levels", "abc"}},
+  };
+}
+
+class BadCommandTest : public CommandLine, public ::testing::WithParamInterface<BadCommand> {};
+
+TEST_P(BadCommandTest, IsRefused) {
+  expect_refusal(halfspace(GetParam().arguments), GetParam().status, GetParam().said, {});
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadCommandTest, ::testing::ValuesIn(bad_commands()),
+                         [](const auto& table) { return std::string(table.param.name); });
+
+void expect_words(const Outcome& help, const Arguments& words) {
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  for (const std::string& word : words) EXPECT_NE(help.out.find(word), std::string::npos) << word;
+}
+
+const Arguments exit_statuses{
+    "Exit status: 0 drawn; 1 the scene is wrong; 2 the command line is wrong; 3 a device or "
+    "file failed;\n4 a stated limit is exceeded."};
+const Arguments shared_options{"--device",     "-d",       "--size", "--dpi",      "--levels",
+                               "--background", "--screen", "--view", "--language", "--quiet"};
+
+TEST_F(CommandLine, HelpNamesEveryOptionDeviceAndStatus) {
+  expect_words(halfspace({"--help"}), {"render", "info", "--version"});
+  expect_words(halfspace({"--help"}), exit_statuses);
+  for (const char* command : {"render", "info"}) {
+    const Outcome help = halfspace({command, "--help"});
+    expect_words(help, exit_statuses);
+    expect_words(help, shared_options);
+    for (const KnownDevice& device : known_devices) expect_words(help, {std::string(device.traits.name)});
+  }
+  expect_words(halfspace({"render", "--help"}), {"--output", "-o", "--shader", "--stats", "--stats-json"});
+}
+
+TEST_F(CommandLine, VersionIsOneLine) { EXPECT_EQ(halfspace({"--version"}).out, "halfspace 0.1.0\n"); }
+
+}  // namespace
+}  // namespace halfspace::testing
