@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/row_intervals.hpp"
 
 namespace halfspace {
@@ -11,6 +12,8 @@ namespace {
 struct FaceCurves {
   std::vector<Curve> curves;
   std::vector<std::uint32_t> names;
+  std::vector<Curve> rivals;  // exit_sheets.hpp
+  std::vector<bool> is_rival;
   std::uint32_t pole = no_arc;
   std::optional<DotRange> range;
 };
@@ -28,7 +31,12 @@ FaceCurves face_curves(const Sheets& sheets, const Extent& extent, ArcTable& arc
     append_factors(vertical_line(extent.x0), face.curves);
     append_factors(vertical_line(extent.x1), face.curves);
   }
-  for (const Curve& curve : face.curves) face.names.push_back(arcs.curve_index(curve));
+  face.rivals = rival_curves(sheets);
+  for (const Curve& curve : face.curves) {
+    face.names.push_back(arcs.curve_index(curve));
+    face.is_rival.push_back(
+        std::any_of(face.rivals.begin(), face.rivals.end(), [&](const Curve& r) { return r.q == curve.q; }));
+  }
   return face;
 }
 
@@ -94,21 +102,25 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::ve
 
 }  // namespace
 
-std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, ArcTable& arcs) {
+std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
+                                  ArcTable& arcs) {
   if (sheets.shape == SheetShape::none) return {};
   const bool two = sheets.shape == SheetShape::two_sheets;
   const FaceCurves face = face_curves(sheets, extent, arcs);
   std::vector<FaceCells> faces;
   std::vector<SheetPresence> presences;
+  std::vector<bool> hidden;
   for (const Sheet sheet : two ? std::vector{Sheet::front, Sheet::back} : std::vector{Sheet::only}) {
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
+    hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
   }
   std::vector<CellBuilder> builders(faces.size());
   for (const ScanRow& row : scan_rows(face.curves, extent.y0, extent.y1)) {
     const std::vector<RowRoot> roots = roots_on_line(face.curves, row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      const auto intervals = row_intervals(roots, row.y0, presences[i], face.pole, face.range);
+      auto intervals = row_intervals(roots, row.y0, presences[i], face.pole, face.range);
+      if (hidden[i]) intervals = rival_points(face.rivals, face.is_rival, roots, row.y0, intervals);
       builders[i].add(row, named_intervals(face, roots, intervals, extent));
     }
   }

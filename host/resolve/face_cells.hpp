@@ -5,6 +5,7 @@
 
 #include "host/resolve/arc_table.hpp"
 #include "host/resolve/cell_builder.hpp"
+#include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/sheet.hpp"
 
 namespace halfspace {
@@ -16,6 +17,8 @@ struct FaceCells {
 };
 
 // Front before back. The caller has shown that untraced constraints keep their sign where all others hold, within the extent.
-[[nodiscard]] std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, ArcTable& arcs);
+// Of sheets that rays only leave by, what can win a tie (exit_sheets.hpp).
+[[nodiscard]] std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
+                                                ArcTable& arcs);
 
 }  // namespace halfspace

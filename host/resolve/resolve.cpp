@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/face_cells.hpp"
 #include "host/resolve/quadric_meeting.hpp"
 
@@ -71,14 +72,16 @@ std::vector<Sheets> opaque_sheets(const IntegerBody& body, const Extent& extent,
   return all;
 }
 
-void resolve_body(const IntegerScene& scene, std::uint32_t index, ResolveResult& result) {
+void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces, ResolveResult& result) {
   const IntegerBody& body = scene.bodies[index];
   const Extent extent = local_extent(body, scene.scissor);
   if (extent.x0 > extent.x1 || extent.y0 > extent.y1) return;
+  const bool hide = !all_faces && rays_start_outside(body);
   ArcTable arcs;
   std::vector<ResolvedHalfSpace> resolved;
   for (const Sheets& sheets : opaque_sheets(body, extent, result.diagnostics)) {
-    resolved.push_back({sheets.half_space, face_cells(sheets, extent, arcs)});
+    const HiddenExits exits = hide ? hidden_exits(body, sheets) : HiddenExits{};
+    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, arcs)});
     for (const FaceCells& face : resolved.back().faces) use_arcs(body, face, arcs);
   }
   arcs.join_uses(index, result.scene.arcs);
@@ -92,9 +95,9 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, ResolveResult&
 
 }  // namespace
 
-ResolveResult resolve(const IntegerScene& scene) {
+ResolveResult resolve(const IntegerScene& scene, bool all_faces) {
   ResolveResult result;
-  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, result);
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result);
   return result;
 }
 

@@ -13,6 +13,7 @@ struct ResolveResult {
   Diagnostics diagnostics;
 };
 
-[[nodiscard]] ResolveResult resolve(const IntegerScene& scene);
+// Faces that no dot can show (exit_sheets.hpp) are left out unless `all_faces`.
+[[nodiscard]] ResolveResult resolve(const IntegerScene& scene, bool all_faces = false);
 
 }  // namespace halfspace

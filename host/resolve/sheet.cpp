@@ -121,6 +121,13 @@ bool has_untraced_constraint(const Sheets& sheets) {
                                       [](const Constraint& k) { return k.curved; });
 }
 
+bool has_zero_constraint(const Sheets& sheets) {
+  return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
+    if (!sheets.curved) return is_zero(k.p);
+    return !k.curved && is_zero(section(sheets.surface, k.surface));
+  });
+}
+
 std::vector<Curve> bounding_curves(const Sheets& sheets) {
   std::vector<Curve> curves;
   if (sheets.shape == SheetShape::two_sheets) append_factors(sheets.d, curves);

@@ -53,6 +53,9 @@ struct Sheets {
 // Does the sign of some constraint depend on a curve that is not traced?
 [[nodiscard]] bool has_untraced_constraint(const Sheets& sheets);
 
+// Is the value of some traced constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
+[[nodiscard]] bool has_zero_constraint(const Sheets& sheets);
+
 // The curves on which the sheets appear or a constraint may change sign, untraced constraints left out.
 [[nodiscard]] std::vector<Curve> bounding_curves(const Sheets& sheets);
 

@@ -105,7 +105,7 @@ class HardBodies : public testing::TestWithParam<HardBody> {};
 
 TEST_P(HardBodies, EveryDotOfEveryFaceIsRight) {
   const IntegerScene scene = page_with(GetParam().half_spaces);
-  const ResolveResult result = resolve(scene);
+  const ResolveResult result = resolve(scene, true);
   ASSERT_TRUE(result.diagnostics.empty()) << result.diagnostics[0].message;
   const auto broken = broken_structure(scene, result.scene);
   EXPECT_FALSE(broken) << *broken;
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Resolve, HardBodies, testing::ValuesIn(hard_bodies()));
 TEST(Resolve, MeetingQuadricsAreNamedWithTheirPlace) {
   IntegerScene scene = page_with({sphere(0, 0, 0, 100), sphere(10, 0, 0, 100)});
   scene.bodies[0].position = {"lens.uq", 3, 1};
-  const ResolveResult result = resolve(scene);
+  const ResolveResult result = resolve(scene, true);
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(result.diagnostics[0].severity, Severity::error);
   EXPECT_EQ(result.diagnostics[0].position.line, 3);
@@ -135,7 +135,7 @@ TEST(Resolve, TouchingQuadricsAreRefusedToo) {
 TEST(Resolve, TheNextBodyIsStillResolved) {
   IntegerScene scene = page_with({sphere(0, 0, 0, 100), sphere(10, 0, 0, 100)});
   scene.bodies.push_back(page_with({sphere(0, 0, 0, 100)}).bodies[0]);
-  const ResolveResult result = resolve(scene);
+  const ResolveResult result = resolve(scene, true);
   EXPECT_EQ(result.diagnostics.size(), 1U);
   ASSERT_EQ(result.scene.faces.size(), 2U);
   EXPECT_EQ(result.scene.faces[0].body, 1U);
@@ -143,7 +143,7 @@ TEST(Resolve, TheNextBodyIsStillResolved) {
 }
 
 TEST(Resolve, ASphereIsTwoCellsBetweenTwoArcs) {
-  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100)})).scene;
+  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100)}), true).scene;
   EXPECT_EQ(resolved.faces.size(), 2U);
   EXPECT_EQ(resolved.arcs.size(), 2U);
   EXPECT_EQ(resolved.cells.size(), 2U);
@@ -155,7 +155,7 @@ TEST(Resolve, ASphereIsTwoCellsBetweenTwoArcs) {
 }
 
 TEST(Resolve, FacesShareTheirArcs) {
-  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100), plane(1, 2, 5, 0)})).scene;
+  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100), plane(1, 2, 5, 0)}), true).scene;
   EXPECT_EQ(resolved.faces.size(), 3U);
   EXPECT_EQ(resolved.arcs.size(), 4U);  // two of the limb, two of the section
 }
@@ -163,16 +163,24 @@ TEST(Resolve, FacesShareTheirArcs) {
 TEST(Resolve, OnlyTheScissorIsResolved) {
   IntegerScene scene = page_with({plane(1, 2, 3, 4), sphere(0, 0, 0, 300)});
   scene.scissor = {5, 12, 31, 20};
-  const ResolveResult result = resolve(scene);
+  const ResolveResult result = resolve(scene, true);
   EXPECT_FALSE(broken_structure(scene, result.scene));
   const auto wrong = wrong_dot(scene, result.scene);
   EXPECT_FALSE(wrong) << *wrong;
 }
 
-TEST(Resolve, AnEmptyBoxHasNoFace) {
+// The box says where a body is; what shows is decided by the half-spaces alone.
+TEST(Resolve, ABoxDecidesNoDot) {
   IntegerScene scene = page_with({sphere(0, 0, 0, 100)});
+  const std::size_t cells = resolve(scene).scene.cells.size();
   scene.bodies[0].x1 = scene.bodies[0].x0 - 1;
-  EXPECT_TRUE(resolve(scene).scene.faces.empty());
+  EXPECT_EQ(resolve(scene).scene.cells.size(), cells);
+}
+
+TEST(Resolve, ExitsAreLeftOutOfAClosedBodyOnly) {
+  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)})).scene.faces.size(), 1U);
+  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)}), true).scene.faces.size(), 2U);
+  EXPECT_EQ(resolve(page_with({complement_of(sphere(0, 0, 0, 100))})).scene.faces.size(), 2U);
 }
 
 }  // namespace

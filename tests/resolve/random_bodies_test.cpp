@@ -19,7 +19,7 @@ TEST(RandomBodies, WithOneQuadricAreNeverRefusedAndEveryDotIsRight) {
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     Dice dice(seed);
     const IntegerScene scene = page_with(random_body(dice, 1), 24, 24);
-    const ResolveResult result = resolve(scene);
+    const ResolveResult result = resolve(scene, true);
     ASSERT_TRUE(result.diagnostics.empty()) << "seed " << seed << ": " << result.diagnostics[0].message;
     expect_exact(scene, result, seed);
     if (HasFatalFailure()) return;
@@ -31,7 +31,7 @@ TEST(RandomBodies, WithManyQuadricsAreRefusedOrEveryDotIsRight) {
   for (std::uint64_t seed = 100001; seed <= 101000; ++seed) {
     Dice dice(seed);
     const IntegerScene scene = page_with(random_body(dice, 3), 24, 24);
-    const ResolveResult result = resolve(scene);
+    const ResolveResult result = resolve(scene, true);
     if (!result.diagnostics.empty()) continue;
     if (!result.scene.faces.empty()) ++drawn;
     expect_exact(scene, result, seed);
@@ -50,7 +50,7 @@ TEST(RandomBodies, OfHugeCoefficientsAreTheSame) {
       for (mpz_class& c : h.c) c *= factor;
       factor = factor * 3 + 1;
     }
-    expect_exact(scene, resolve(scene), seed);
+    expect_exact(scene, resolve(scene, true), seed);
     if (HasFatalFailure()) return;
   }
 }
@@ -63,7 +63,7 @@ TEST(RandomBodies, NearlyDegenerateOnesAreRightToo) {
     for (IntegerHalfSpace& h : scene.bodies[0].half_spaces) {
       for (mpz_class& c : h.c) c = (c << 80) + dice.between(-2, 2);
     }
-    const ResolveResult result = resolve(scene);
+    const ResolveResult result = resolve(scene, true);
     if (!result.diagnostics.empty()) continue;  // a quadric that was used twice now meets itself
     expect_exact(scene, result, seed);
     if (HasFatalFailure()) return;

@@ -1,0 +1,38 @@
+// exit_sheets.hpp - the sheets on which rays leave a body, and what can still be seen of them.
+// A ray that enters an opaque solid before it leaves it meets an entry first. So the dot of an exit shows another face, unless
+// entry and exit are one point: then the exit is on the surface of an entry half-space too, and wins the tie only if it comes
+// first in the body. What is left of an exit sheet are therefore its points on the curves of later half-spaces.
+// Costs nothing in truth: no dot changes (tests/resolve, tests/render); it saves the core most of its depth comparisons.
+#pragma once
+
+#include <vector>
+
+#include "host/flatten/integer_scene.hpp"
+#include "host/resolve/resolved_scene.hpp"
+#include "host/resolve/row_intervals.hpp"
+#include "host/resolve/sheet.hpp"
+
+namespace halfspace {
+
+// Every half-space is opaque, and one of them keeps the body away from the viewer's end of every ray.
+[[nodiscard]] bool rays_start_outside(const IntegerBody& body);
+
+// Which sheets rays only leave by, with no other half-space's surface along them.
+struct HiddenExits {
+  bool front = false;  // or the only sheet
+  bool back = false;
+};
+
+// For a body whose rays start outside.
+[[nodiscard]] HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets);
+
+// The curves of the half-spaces after this one: where an exit may win a tie.
+[[nodiscard]] std::vector<Curve> rival_curves(const Sheets& sheets);
+
+// What is left of an exit sheet's intervals on scan line y: the roots on rival curves, as intervals of one point; everything
+// where a rival curve holds the whole line.
+[[nodiscard]] std::vector<RowInterval> rival_points(const std::vector<Curve>& rivals, const std::vector<bool>& is_rival,
+                                                    const std::vector<RowRoot>& roots, std::int64_t y,
+                                                    const std::vector<RowInterval>& intervals);
+
+}  // namespace halfspace
