@@ -312,19 +312,24 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   return result;
 }
 
+// On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
 Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box) {
   const LocalBox local = local_box(box);
   Vector3 origin{};
   for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
   const RealHalfSpace a = seen_from(to_real(plane), origin);
   const RealHalfSpace b = seen_from(truth, origin);
-  const Real a_size = length({a.c[0], a.c[1], a.c[2]});
-  Real b_size = length({b.c[0], b.c[1], b.c[2]});
-  if (a_size == 0 || b_size == 0) return 0;
-  if (a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2] < 0) b_size = -b_size;
-  Vector4 apart{};
-  for (std::size_t i = 0; i < 4; ++i) apart[i] = a.c[i] / a_size - b.c[i] / b_size;
-  return reach(apart, local.half);
+  const Real size = length({a.c[0], a.c[1], a.c[2]});
+  std::optional<Real> least;
+  for (std::size_t pivot = 0; pivot < 4; ++pivot) {
+    if (b.c[pivot] == 0) continue;
+    const Real t = a.c[pivot] / b.c[pivot];
+    Vector4 apart{};
+    for (std::size_t i = 0; i < 4; ++i) apart[i] = i == pivot ? 0 : a.c[i] - t * b.c[i];
+    const Real value = reach(apart, local.half);
+    least = least ? smaller(*least, value) : value;
+  }
+  return size == 0 || !least ? 0 : *least / size;
 }
 
 }  // namespace halfspace

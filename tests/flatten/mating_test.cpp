@@ -73,6 +73,18 @@ TEST(Mating, AMitreOfTwoCylindersIsOnePlane) {
   EXPECT_TRUE(are_same_plane(a, m, b, b.half_spaces.at(1)));
 }
 
+// Unbounded towards the eye, so its box is a million dots deep: there the values of a plane and of its rounding drift
+// apart, but not where the plane is.
+TEST(Mating, BoundsStayTightInDeepBoxes) {
+  const std::string text =
+      "definition d; plane a <1 1.001 0 -1>; plane b <0 1 0 -2>; plane c <0 -2 0 1e-9>; plane e <1 0 0 0>;"
+      "body wedge (a b c e); enddef; instance i (d =ry 30 =tz -2.074); view v cop -1 0 0 whw 6.92 whh 6.647;";
+  const IntegerScene scene = flat(text, page(64, 64));
+  EXPECT_GT(scene.bodies.at(0).origin[2], -(1 << 20));
+  EXPECT_LT(scene.bodies.at(0).origin[2], -(1 << 18));
+  EXPECT_LT(scene.bound, 1.0 / 1024);
+}
+
 TEST(Mating, CostStaysLinearInParallelPlanes) {
   PlaneMating mating({500, 500, 0});
   for (int i = 0; i < 20000; ++i) {
