@@ -1,5 +1,6 @@
 #include "firmware/core/arc.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "firmware/core/registers.hpp"
@@ -13,6 +14,25 @@ Int read_coefficient(JobReader& in) {
     return in.wide<64>().low64();
   } else {
     return Int(in.wide<256>());
+  }
+}
+
+// Values of 64 bits must not overflow whatever a job claims: the magnitudes of the form on all that the arc may visit, as in
+// host/job/limits. Wider ones wrap.
+template <class Int>
+bool holds(const std::array<Int, 6>& q, const ArcStart& start) {
+  if constexpr (std::is_same_v<Int, std::int64_t>) {
+    const auto farthest = [](std::int32_t low, std::int32_t high, std::int32_t origin) {
+      return std::max({origin - low, low - origin, origin - high, high - origin});
+    };
+    const std::int32_t x = farthest(start.x_min - 1, start.x_max + 2, start.origin_x);
+    const std::int32_t y = farthest(start.y, start.y_last + 1, start.origin_y);
+    const auto size = [&q](int i) { return Wide<128>(q[i]).magnitude(); };
+    const Wide<128> value =
+        (size(0).times(x) + size(1).times(y) + size(3)).times(x) + (size(2).times(y) + size(4)).times(y) + size(5);
+    return value.bit_length() + 4 <= 63;
+  } else {
+    return true;
   }
 }
 
@@ -31,6 +51,7 @@ struct LineArc {
     form.x = read_coefficient<Int>(in);
     form.y = read_coefficient<Int>(in);
     form.r = read_coefficient<Int>(in);
+    if (!holds<Int>({Int(0), Int(0), Int(0), form.x, form.y, form.r}, start)) return in.fail();
     form.jump_x(start.x - start.origin_x);
     form.jump_y(start.y - start.origin_y);
   }
@@ -48,6 +69,7 @@ struct ConicArc {
     branch = start.branch;
     std::array<Int, 6> q;
     for (Int& c : q) c = read_coefficient<Int>(in);
+    if (!holds(q, start)) return in.fail();
     form =
         SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, start.y - start.origin_y);
   }
@@ -106,6 +128,7 @@ ArcCrossing load(JobReader& in, const ArcStart& start, void* state) {
   Arc& arc = *static_cast<Arc*>(state);
   arc = Arc{};
   arc.load(in, start);
+  if (in.failed()) return {};
   arc.at = {static_cast<std::int16_t>(start.x), static_cast<std::int16_t>(start.x_min),
             static_cast<std::int16_t>(start.x_max + 1)};
   return settle(arc);

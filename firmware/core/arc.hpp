@@ -29,6 +29,7 @@ struct ArcCrossing {
 struct ArcStart {
   std::int32_t origin_x = 0, origin_y = 0;  // of the local frame: page = origin + local
   std::int32_t x = 0, y = 0;                // page: where to begin looking, the line it enters on
+  std::int32_t y_last = 0;                  // page: its last line
   std::int32_t x_min = 0, x_max = 0;        // scissor
   ArcBranch branch = ArcBranch::single;
 };

@@ -40,7 +40,8 @@ DepthSample quotient(Approximate n, const Wide<Bits>& d) {
   std::int64_t error = (n.error << n_up) / divisor + 1;
   const int shift = n.shift - n_up - d_shift + depth_fraction;
   if (shift > 0) {
-    if (shift > 45 || z > (largest_depth >> shift) || -z > (largest_depth >> shift)) return unrepresentable;
+    const std::int64_t most = shift > 45 ? 0 : largest_depth >> shift;
+    if (z > most || -z > most || error >= most) return unrepresentable;
     z <<= shift;
     error = (error + 1) << shift;
   } else {
@@ -110,7 +111,7 @@ DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y)
   DepthSample s = local_depth(face, x - face.origin_x, y - face.origin_y);
   if (s.error < 0) return s;
   constexpr std::int64_t most = largest_depth >> depth_fraction;
-  if (face.origin_z > most || -face.origin_z > most) return unrepresentable;
+  if (face.origin_z > most || face.origin_z < -most) return unrepresentable;
   s.z += face.origin_z * (std::int64_t{1} << depth_fraction);
   return s;
 }

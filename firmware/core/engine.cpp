@@ -152,6 +152,7 @@ class Engine {
           const std::uint16_t face = slot(p_.faces.size());
           if (in_.failed()) break;
           read_face(in_, type_, p_.faces[face]);
+          if (!has_depth(p_.faces[face])) fail(DrawStatus::bad_record);
           if (type_ == Record::root_face) make_root_surface(p_.faces[face], h_.lighting);
         }
       }
@@ -175,7 +176,8 @@ class Engine {
     start.x_max = h_.x1;
     start.x = in_.number_in(h_.x0, h_.x1 + 1);
     start.y = y;
-    if (in_.failed() || active_arc_count_ == p_.active_arcs.size()) return fail(DrawStatus::bad_record);
+    start.y_last = last;
+    if (in_.failed() || p_.arcs[number].last >= y) return fail(DrawStatus::bad_record);
     const ArcModule* module = modules_.arcs[static_cast<std::size_t>(kind)];
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
     p_.arcs[number] = {module, last, module->load(in_, start, state(number))};
@@ -189,7 +191,7 @@ class Engine {
     cell.left = arc_or_none();
     cell.right = arc_or_none();
     cell.last = last_line(y);
-    activate(number, cell);
+    activate(number, cell, y);
   }
 
   void read_span(std::int32_t y) {
@@ -200,11 +202,13 @@ class Engine {
     cell.x1 = static_cast<std::int16_t>(in_.number_in(cell.x0, h_.x1));
     cell.last = static_cast<std::int16_t>(y);
     cell.fixed = true;
-    activate(number, cell);
+    activate(number, cell, y);
   }
 
-  void activate(std::uint16_t number, const CellSlot& cell) {
-    if (in_.failed() || active_cell_count_ == p_.active_cells.size()) return fail(DrawStatus::bad_record);
+  void activate(std::uint16_t number, const CellSlot& cell, std::int32_t y) {
+    if (in_.failed() || p_.cells[number].last >= y || !has_depth(p_.faces[cell.face])) {
+      return fail(DrawStatus::bad_record);
+    }
     p_.cells[number] = cell;
     p_.active_cells[active_cell_count_++] = number;
   }

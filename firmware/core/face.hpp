@@ -58,6 +58,11 @@ struct ActiveFace {
   std::uint8_t level = 0;      // plane: its one level
 };
 
+// A depth divides by c2 (face.c): a slot that no record filled, or a record that lies, has none.
+[[nodiscard]] inline bool has_depth(const ActiveFace& face) {
+  return face.kind == FaceKind::rational || face.c[2].sign() > 0;
+}
+
 // Reads what follows the slot number in a face record.
 inline void read_face(JobReader& in, Record type, ActiveFace& face) {
   face.order = in.unsigned_number();

@@ -38,6 +38,8 @@ class JobReader {
     return failed_ ? Wide<Bits>() : value;
   }
 
+  // A record's reader found a value that cannot be.
+  void fail() { failed_ = true; }
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:

@@ -34,12 +34,34 @@ inline std::int64_t scale_by(std::uint32_t t, std::int64_t a) {
   return static_cast<std::int64_t>(t * (u >> 32) + ((t * (u & 0xffffffffU)) >> 32));
 }
 
+// Unsigned, so that a job that lies about its widths gets a wrong level and nothing worse.
 inline Answer compare(const Light& light, const Margin& margin, std::uint32_t square) {
   if (light.l <= margin.light) return light.l < -margin.light ? Answer::no : Answer::unsure;
-  const std::int64_t difference = light.l * light.l - scale_by(square, light.n2);
+  const auto l = static_cast<std::uint64_t>(light.l);
+  const auto difference = static_cast<std::int64_t>(l * l - static_cast<std::uint64_t>(scale_by(square, light.n2)));
   if (difference > margin.squares) return Answer::yes;
   return difference < -margin.squares ? Answer::no : Answer::unsure;
 }
+
+// The levels between which a dot keeps the level of the dot before: the fast way round search_level.
+struct LevelWindow {
+  std::uint32_t low = 0, high = 0;           // LevelTable::squares of the level and of the next one
+  bool open_low = false, open_high = false;  // nothing lies below or above
+
+  static LevelWindow of(const LevelTable& table, std::int32_t level) {
+    LevelWindow w;
+    w.open_low = level <= table.ambient_level;
+    w.open_high = level >= table.top_level;
+    w.low = table.squares[static_cast<std::size_t>(level)];
+    w.high = w.open_high ? 0 : table.squares[static_cast<std::size_t>(level) + 1];
+    return w;
+  }
+  // True when the dot is certain to have the level.
+  [[nodiscard]] bool holds(const Light& light, const Margin& margin) const {
+    return (open_low || compare(light, margin, low) == Answer::yes) &&
+           (open_high || compare(light, margin, high) == Answer::no);
+  }
+};
 
 // The largest level that `reaches(k)` grants, sought from the level of the dot before (-1: none) or by bisection.
 template <class Reaches>

@@ -69,17 +69,25 @@ std::array<Quadratic, 3> line_normal(const ActiveFace& f, const Lighting& lighti
   return n;
 }
 
+// Unsigned, so that a job that lies about its widths wraps and nothing worse.
 struct Registers {
-  std::int64_t r, d1, d2;
+  std::uint64_t r, d1, d2;
 
   Registers() = default;
   Registers(const Quadratic& q, int shift)
-      : r(scaled(q.u0, shift - 32)), d1(scaled(q.u1 + q.u2, shift - 32)), d2(scaled(q.u2 + q.u2, shift - 32)) {}
+      : r(fixed(q.u0, shift)), d1(fixed(q.u1 + q.u2, shift)), d2(fixed(q.u2 + q.u2, shift)) {}
   void step() {
     r += d1;
     d1 += d2;
   }
-  [[nodiscard]] std::int64_t value() const { return r >> 32; }
+  [[nodiscard]] std::int64_t value() const { return static_cast<std::int64_t>(r) >> 32; }
+  [[nodiscard]] std::uint64_t square() const {
+    const auto v = static_cast<std::uint64_t>(value());
+    return v * v;
+  }
+
+ private:
+  static std::uint64_t fixed(const Int& v, int shift) { return static_cast<std::uint64_t>(scaled(v, shift - 32)); }
 };
 
 }  // namespace
@@ -102,11 +110,12 @@ void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   const Margin margin = Margin::of(4, 3 * ((std::int64_t{8} << 30) + 16));
 
   paint_levels(job, x0, x1, [&](std::int32_t x, std::int32_t level) {
-    Light here{l.value(), 0};
+    std::uint64_t n2 = 0;
     for (Registers& component : n) {
-      here.n2 += component.value() * component.value();
+      n2 += component.square();
       component.step();
     }
+    const Light here{l.value(), static_cast<std::int64_t>(n2)};
     l.step();
     return search_level(job.table, level, [&](std::int32_t k) {
       const Answer answer = compare(here, margin, job.table.squares[static_cast<std::size_t>(k)]);

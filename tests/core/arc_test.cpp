@@ -68,7 +68,7 @@ void expect_crossings(const Setting& s, ArcKind kind, std::int32_t y0, std::int3
   const ArcModule& module = *all_modules.arcs[static_cast<std::size_t>(kind)];
   std::vector<std::uint64_t> state(static_cast<std::size_t>(module.bytes) / 8 + 1);
   ArcCrossing crossing = module.load(
-      in, {s.origin_x, s.origin_y, start_x, y0, x_min, x_max, static_cast<ArcBranch>(s.branch)}, state.data());
+      in, {s.origin_x, s.origin_y, start_x, y0, y1, x_min, x_max, static_cast<ArcBranch>(s.branch)}, state.data());
   ASSERT_FALSE(in.failed());
   for (std::int32_t y = y0;; ++y) {
     ASSERT_EQ(crossing.at_or_right, first_dot(s.q, s.branch, s.origin_x, y - s.origin_y, false)) << "line " << y;
