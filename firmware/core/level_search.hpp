@@ -28,10 +28,14 @@ struct Margin {
 
 enum class Answer : std::uint8_t { no, yes, unsure };
 
-// (t * a) >> 32 for 0 <= a < 2^63: two products of 32 bits.
+// (t * a) >> 32 for 0 <= a < 2^63: two products of 32 bits, or one of 64.
 inline std::int64_t scale_by(std::uint32_t t, std::int64_t a) {
   const auto u = static_cast<std::uint64_t>(a);
-  return static_cast<std::int64_t>(t * (u >> 32) + ((t * (u & 0xffffffffU)) >> 32));
+  if constexpr (limb_bits == 64) {
+    return static_cast<std::int64_t>((static_cast<DoubleLimb>(u) * t) >> 32);
+  } else {
+    return static_cast<std::int64_t>(t * (u >> 32) + ((t * (u & 0xffffffffU)) >> 32));
+  }
 }
 
 // Unsigned, so that a job that lies about its widths gets a wrong level and nothing worse.
@@ -79,11 +83,9 @@ std::int32_t search_level(const LevelTable& table, std::int32_t level, Reaches r
     }
     return low;
   }
-  if (asks(level + 1)) {
-    do {
-      ++level;
-    } while (asks(level + 1));
-  } else {
+  const std::int32_t before = level;
+  while (asks(level + 1)) ++level;
+  if (level == before) {
     while (!asks(level)) --level;
   }
   return level;

@@ -1,7 +1,7 @@
 // On a scan line  L = l(x) + m s(x),  |N|^2 = q(x) + r(x) s(x),  s = sqrt(D(x)):  l and r linear, q and D quadratic.
 // Registers  D scaled under 2^60, so s < 2^30; q and r s under 2^60; l and m s under 2^31.
 // Errors     D's registers round by at most n^2/2 + n + 2 over n dots: s by its root, n + 3 units in all, but by less than
-//            3 units where s >= n^2 + 2n. The others follow linearly (`margin`).
+//            3 units where s >= n^2 + 2n; and s itself is found to within root_tolerance. The others follow linearly (`margin`).
 // Cost       Per dot 6 additions, 5 products for L and |N|^2, one division for s, as a rule two comparisons.
 
 #include <algorithm>
@@ -68,8 +68,8 @@ class SpanShader {
       : job_(job), y_(y), x0_(x0), x1_(x1), n_(x1 - x0 + 1) {
     load(job.face.surface, x0 - job.face.origin_x, y - job.face.origin_y);
     deep_from_ = static_cast<std::int64_t>(n_) * n_ + 2 * n_;
-    deep_ = margin(3);
-    shallow_ = margin(n_ + 3);
+    deep_ = margin(root_tolerance + 3);
+    shallow_ = margin(n_ + root_tolerance + 3);
   }
 
   void run(Shader shader) {
@@ -77,21 +77,10 @@ class SpanShader {
       job_.painter.fill(x0_, x1_, job_.table.ambient_level);
       ++job_.counters.level_spans;
     } else if (shader == Shader::jordan) {
-      JordanWalk walk(at_.d, depth_shift_);
       const Margin coarse = margin((std::int64_t{1} << depth_shift_) / 2 + n_ + 3);
-      paint_levels(job_, x0_, x1_, [&](std::int32_t x, std::int32_t level) {
-        const std::int32_t k = level_at(walk.next(at_.d), coarse, x, level);
-        at_.step();
-        return k;
-      });
+      sweep(JordanWalk(at_.d, depth_shift_), [&coarse](std::int64_t) -> const Margin& { return coarse; });
     } else {
-      RootWalk walk;
-      paint_levels(job_, x0_, x1_, [&](std::int32_t x, std::int32_t level) {
-        const std::int64_t s = walk.next(at_.d);
-        const std::int32_t k = level_at(s, fine(s), x, level);
-        at_.step();
-        return k;
-      });
+      sweep(RootWalk(), [this](std::int64_t s) -> const Margin& { return fine(s); });
     }
   }
 
@@ -151,16 +140,40 @@ class SpanShader {
   }
   [[nodiscard]] const Margin& fine(std::int64_t s) const { return s >= deep_from_ ? deep_ : shallow_; }
 
-  std::int32_t level_at(std::int64_t s, const Margin& sure, std::int32_t x, std::int32_t level) {
-    const Light light = at_.at(s);
-    return search_level(job_.table, level, [&](std::int32_t k) {
-      const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(k)]);
-      return answer == Answer::unsure ? settle(x, k) : answer == Answer::yes;
-    });
+  // Dot after dot, the registers in a copy that stays in the processor's; settle() finds them in at_.
+  template <class Walk, class MarginAt>
+  void sweep(Walk walk, MarginAt margin_at) {
+    Registers at = at_;
+    LevelWindow window;
+    std::int32_t level = -1;
+    std::int32_t from = x0_;
+    std::uint32_t runs = 1;
+    for (std::int32_t x = x0_; x <= x1_; ++x, at.step()) {
+      const Light light = at.at(walk.next(at.d));
+      const Margin& sure = margin_at(walk.root());
+      if (level >= 0 && window.holds(light, sure)) continue;
+      const std::int32_t k = search_level(job_.table, level, [&](std::int32_t candidate) {
+        const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(candidate)]);
+        if (answer != Answer::unsure) return answer == Answer::yes;
+        at_ = at;
+        return settle(x, candidate);
+      });
+      if (k == level) continue;
+      if (level >= 0) {
+        job_.painter.fill(from, x - 1, level);
+        ++runs;
+      }
+      from = x;
+      level = k;
+      window = LevelWindow::of(job_.table, level);
+    }
+    job_.painter.fill(from, x1_, level);
+    job_.counters.level_spans += runs;
+    job_.counters.intensities += static_cast<std::uint32_t>(n_);
   }
 
   // The integer square root first (Jordan's walk asks here often), exact arithmetic last.
-  [[nodiscard]] bool settle(std::int32_t x, std::int32_t k) {
+  [[nodiscard, gnu::noinline]] bool settle(std::int32_t x, std::int32_t k) {
     const std::int64_t s = isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(at_.d, 0)));
     const Answer answer = compare(at_.at(s), fine(s), job_.table.squares[static_cast<std::size_t>(k)]);
     if (answer != Answer::unsure) return answer == Answer::yes;

@@ -1,5 +1,5 @@
 // root_walk.hpp - s = sqrt(D) from dot to dot along a span, D < 2^60 given by its registers.
-//   RootWalk    to within one unit: Newton's correction of an extrapolated root
+//   RootWalk    to within root_tolerance units: Newton's correction of an extrapolated root
 //   JordanWalk  to within half a step of 2^shift units: additions and comparisons only
 // Source  Jordan, Lennon, Holmes 1973, "An Improved Algorithm for the Generation of Nonparametric Curves"; Ressler 1985, 6.3.
 #pragma once
@@ -11,37 +11,32 @@
 
 namespace halfspace {
 
-// floor(sqrt(d)) to within one unit, from the roots of the three dots before: their second difference
-// predicts it to a few units, and one division corrects the rest.
+// sqrt(d) to within `root_tolerance` units. The roots of the three dots before predict it to R^-2 of its size on a curve of
+// radius R dots; one Newton step squares that error. Where this is not enough (a limb, the first dots) the root is taken afresh.
+inline constexpr std::int64_t root_tolerance = 4;
+
 class RootWalk {
  public:
   std::int64_t next(std::int64_t d) {
-    if (d <= 0) {
-      known_ = 0;
-      return 0;
+    std::int64_t s = 3 * (s_[0] - s_[1]) + s_[2];
+    if (s >= 1 && s < (std::int64_t{1} << 31)) {
+      s += (d - s * s) / (2 * s);
+      const std::int64_t rest = d - s * s;
+      // |rest| = |s - sqrt(d)| (s + sqrt(d)), about 2 s times the error
+      if (rest > root_tolerance * s || -rest > root_tolerance * s) s = fresh(d);
+    } else {
+      s = fresh(d);
     }
-    std::int64_t s = known_ == 3 ? 3 * (s_[0] - s_[1]) + s_[2] : 0;
-    if (s < 1 || s > (std::int64_t{1} << 31) || !close(s, d)) s = isqrt(static_cast<std::uint64_t>(d));
     s_[2] = s_[1];
     s_[1] = s_[0];
     s_[0] = s;
-    if (known_ < 3) ++known_;
     return s;
   }
+  [[nodiscard]] std::int64_t root() const { return s_[0]; }
 
  private:
-  // Two Newton steps at most; true when |s - sqrt(d)| < 1.
-  static bool close(std::int64_t& s, std::int64_t d) {
-    for (int i = 0; i < 3; ++i) {
-      const std::int64_t rest = d - s * s;
-      if (rest <= s && -rest <= s) return true;
-      s += rest / (2 * s);
-      if (s < 1) return false;
-    }
-    return false;
-  }
+  static std::int64_t fresh(std::int64_t d) { return d <= 0 ? 0 : isqrt(static_cast<std::uint64_t>(d)); }
   std::int64_t s_[3] = {};
-  int known_ = 0;
 };
 
 // Jordan's incremental conic s^2 = D(x): s moves by steps of one unit, found by additions and comparisons
@@ -70,8 +65,9 @@ class JordanWalk {
       odd_ += unit_;
       ++s_;
     }
-    return (s_ << shift_) + ((std::int64_t{1} << shift_) >> 1);
+    return root();
   }
+  [[nodiscard]] std::int64_t root() const { return (s_ << shift_) + ((std::int64_t{1} << shift_) >> 1); }
 
  private:
   int shift_;
