@@ -2,13 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <optional>
 
 #include "host/scene/parse.hpp"
@@ -16,25 +14,31 @@
 namespace halfspace {
 namespace {
 
-std::optional<std::string> read_stream(std::istream& in) {
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (in.bad()) return std::nullopt;
+// Not by iostreams, whose buffers throw an error away or throw it.
+std::optional<std::string> read_stream(std::FILE* in) {
+  std::string text;
+  std::array<char, 65536> part;
+  while (const std::size_t count = std::fread(part.data(), 1, part.size(), in)) text.append(part.data(), count);
+  if (std::ferror(in) != 0) return std::nullopt;
   return text;
 }
 
 std::optional<std::string> read_scene_text(const std::string& path) {
-  if (path == "-") return read_stream(std::cin);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     fmt::print(stderr, "{}: error: is a folder; name a scene file\n", path);
     return std::nullopt;
   }
   errno = 0;
-  std::ifstream in(path, std::ios::binary);
+  const bool standard_input = path == "-";
+  std::FILE* const in = standard_input ? stdin : std::fopen(path.c_str(), "rb");
   std::optional<std::string> text;
-  if (in) text = read_stream(in);
-  if (!text)
-    fmt::print(stderr, "{}: error: cannot be read ({}); check its name and permissions\n", path, std::strerror(errno));
+  if (in != nullptr) text = read_stream(in);
+  if (!text) {
+    fmt::print(stderr, "{}: error: cannot be read ({}); check its name and permissions\n",
+               standard_input ? "<standard input>" : path, std::strerror(errno));
+  }
+  if (in != nullptr && !standard_input) std::fclose(in);
   return text;
 }
 

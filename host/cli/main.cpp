@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 
 #include "host/cli/commands.hpp"
@@ -34,11 +35,14 @@ void add_page_options(CLI::App& command, PageRequest& page) {
 int run(int argc, char** argv) {
   CLI::App app("Halfspace draws curved solids exactly, with integers alone, on devices that know only black and white.",
                "halfspace");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);  // none at all is told below, after words that are no command
   app.footer(
       "Exit status: 0 drawn; 1 the scene is wrong; 2 the command line is wrong; 3 a device or file failed;\n"
       "4 a stated limit is exceeded.");
   app.set_version_flag("--version", "halfspace 0.1.0");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return fmt::format("error: {}; see halfspace --help\n", error.what());
+  });
 
   RenderRequest render;
   CLI::App* render_command = app.add_subcommand("render", "Draw scene files on a device");
@@ -64,13 +68,17 @@ int run(int argc, char** argv) {
     const int status = app.exit(error);
     return status == 0 ? 0 : static_cast<int>(ExitStatus::command_line_wrong);
   }
-  return static_cast<int>(*render_command ? run_render(render) : run_info(info));
+  if (*render_command) return static_cast<int>(run_render(render));
+  if (*info_command) return static_cast<int>(run_info(info));
+  return static_cast<int>(
+      fail(ExitStatus::command_line_wrong, "no command; say render or info (see halfspace --help)"));
 }
 
 }  // namespace
 }  // namespace halfspace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of write, told like any other
   try {
     return halfspace::run(argc, argv);
   } catch (const std::bad_alloc&) {

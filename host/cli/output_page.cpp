@@ -8,6 +8,7 @@
 
 #include "hal/device_sink.hpp"
 #include "host/picture/simulated_device.hpp"
+#include "host/picture/write_bytes.hpp"
 
 namespace halfspace {
 namespace {
@@ -68,6 +69,12 @@ const char* describe(DrawStatus status) {
 }
 
 }  // namespace
+
+ExitStatus write_text(const std::string& path, const std::string& text) {
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  const auto error = write_bytes(path, {bytes, text.size()});
+  return error ? fail(ExitStatus::device_or_file_failed, *error) : ExitStatus::drawn;
+}
 
 DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRequest& request) {
   DrawnPage drawn;

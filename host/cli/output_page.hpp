@@ -21,6 +21,9 @@ struct DrawnPage {
   ExitStatus status = ExitStatus::drawn;
 };
 
+// Words instead of a page; "-" is standard output.
+[[nodiscard]] ExitStatus write_text(const std::string& path, const std::string& text);
+
 [[nodiscard]] DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRequest& request);
 
 }  // namespace halfspace

@@ -47,19 +47,19 @@ std::optional<std::pair<std::int64_t, std::int64_t>> parse_size(const std::strin
 // The page's sides; false: refused.
 bool choose_size(const PageRequest& request, PageChoice& choice) {
   const DeviceTraits& traits = choice.device->traits;
-  if (request.size.empty()) return true;
-  const auto size = parse_size(request.size);
+  if (!request.size) return true;
+  const auto size = parse_size(*request.size);
   if (!size) {
     choice.status =
         fail(ExitStatus::command_line_wrong,
-             fmt::format("--size {}: expected WIDTHxHEIGHT in dots, each at least 1, as in 640x480", request.size));
+             fmt::format("--size {}: expected WIDTHxHEIGHT in dots, each at least 1, as in 640x480", *request.size));
     return false;
   }
   const std::int64_t max_width = std::min<std::int64_t>(traits.max_width, largest_side);
   const std::int64_t max_height = std::min<std::int64_t>(traits.max_height, largest_side);
   if (size->first > max_width || size->second > max_height) {
     choice.status = fail(ExitStatus::limit_exceeded, fmt::format("--size {}: the largest page of {} is {}x{} dots",
-                                                                 request.size, traits.name, max_width, max_height));
+                                                                 *request.size, traits.name, max_width, max_height));
     return false;
   }
   choice.page.width = static_cast<std::int32_t>(size->first);

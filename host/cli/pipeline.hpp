@@ -1,6 +1,7 @@
 // pipeline.hpp - from a parsed scene to a job, with what each stage made and took: the road every command shares.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,10 @@
 
 namespace halfspace {
 
-// What the user may say about the page; zero or empty: the device's own.
+// What the user may say about the page; zero, empty or nothing: the device's own.
 struct PageRequest {
   std::string device = "varian";
-  std::string size;  // "WxH" in dots
+  std::optional<std::string> size;  // "WxH" in dots
   std::int32_t dpi = 0;
   std::int32_t levels = 0;
   std::string background;  // "black" or "white"

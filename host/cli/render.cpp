@@ -1,26 +1,28 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <optional>
 
 #include "host/cli/commands.hpp"
 #include "host/cli/statistics.hpp"
 #include "host/picture/simulated_device.hpp"
-#include "host/picture/write_bytes.hpp"
 
 namespace halfspace {
 namespace {
 
-ExitStatus write_statistics(const RenderRequest& request, const Pipeline& pipeline, const DrawnPage& drawn) {
+ExitStatus write_statistics(const RenderRequest& request, bool picture_on_output, const Pipeline& pipeline,
+                            const DrawnPage& drawn) {
   // Tables go where the picture does not.
-  if (request.statistics) fmt::print(request.output == "-" ? stderr : stdout, "{}", statistics_text(pipeline, drawn));
-  if (request.statistics_file.empty()) return ExitStatus::drawn;
-  const std::string json = statistics_json(pipeline, drawn);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(json.data());
-  if (const auto error = write_bytes(request.statistics_file, {bytes, json.size()})) {
-    return fail(ExitStatus::device_or_file_failed, *error);
+  ExitStatus status = ExitStatus::drawn;
+  if (request.statistics) {
+    const std::string text = statistics_text(pipeline, drawn);
+    if (picture_on_output) {
+      fmt::print(stderr, "{}", text);
+    } else {
+      status = write_text("-", text);
+    }
   }
-  return ExitStatus::drawn;
+  if (status != ExitStatus::drawn || request.statistics_file.empty()) return status;
+  return write_text(request.statistics_file, statistics_json(pipeline, drawn));
 }
 
 }  // namespace
@@ -43,7 +45,7 @@ ExitStatus run_render(const RenderRequest& request) {
   const Shader shader = request.shader == "jordan" ? Shader::jordan : Shader::isqrt;
   const DrawnPage drawn = draw_page(choice, pipeline.job, {output, shader, request.scene.quiet});
   if (drawn.status != ExitStatus::drawn) return drawn.status;
-  return write_statistics(request, pipeline, drawn);
+  return write_statistics(request, output == "-", pipeline, drawn);
 }
 
 }  // namespace halfspace

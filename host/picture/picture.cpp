@@ -47,6 +47,7 @@ OIIO::ImageSpec describe(const Picture& picture, const std::string& format) {
   spec.attribute("XResolution", static_cast<float>(picture.dpi));
   spec.attribute("YResolution", static_cast<float>(picture.dpi));
   spec.attribute("ResolutionUnit", "in");
+  spec.attribute("DateTime", "    :  :     :  :  ");  // Exif's "unknown": the same page is the same file tomorrow
   return spec;
 }
 

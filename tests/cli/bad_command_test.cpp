@@ -13,6 +13,7 @@ struct BadCommand {
   int status;
   std::vector<std::string> said;
 };
+void PrintTo(const BadCommand& command, std::ostream* out) { *out << ::testing::PrintToString(command.arguments); }
 
 Arguments draw(const Arguments& more) {
   Arguments all{"render", tube};
@@ -25,7 +26,7 @@ Arguments with_levels(const char* levels) { return draw({"-d", "gray", "--levels
 
 std::vector<BadCommand> bad_commands() {
   return {
-      {"Nothing", {}, 2, {"subcommand"}},
+      {"Nothing", {}, 2, {"no command", "render or info"}},
       {"UnknownSubcommand", {"draw", tube}, 2, {"draw"}},
       {"UnknownOption", draw({"-o", "out.png", "--colour"}), 2, {"--colour"}},
       {"NoScene", {"render", "-o", "out.png"}, 2, {"scene"}},
@@ -51,9 +52,9 @@ std::vector<BadCommand> bad_commands() {
       {"ManyDots", with_size("2147483648x2147483648"), 4, {"--size 2147483648x2147483648", "largest page", "32767"}},
       {"EvenMoreDots", with_size("99999999999999999999x1"), 4, {"largest page"}},
       {"DotsBeyondTheDevice", draw({"-d", "ssd1306", "--size", "129x64", "-o", "out.png"}), 4, {"128x64"}},
-      {"OneLevel", with_levels("1"), 2, {"--levels", "2 - 256"}},
-      {"ManyLevels", with_levels("257"), 2, {"--levels", "2 - 256"}},
-      {"NoLevels", with_levels("0"), 2, {"--levels", "2 - 256"}},
+      {"OneLevel", with_levels("1"), 2, {"--levels", "2 to 256"}},
+      {"ManyLevels", with_levels("257"), 2, {"--levels", "2 to 256"}},
+      {"NoLevels", with_levels("0"), 2, {"--levels", "2 to 256"}},
       {"WordForLevels", with_levels("abc"), 2, {"--levels", "abc"}},
   };
 }

@@ -12,6 +12,7 @@ struct BadScene {
   int status;
   std::vector<std::string> said;
 };
+void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.text; }
 
 const std::string in_definition = "definition d; " + ball + "enddef;\n";
 
@@ -45,11 +46,11 @@ std::vector<BadScene> bad_scenes() {
       {"RecursiveDefinition",
        "definition d; instance i (e); enddef;\ndefinition e; instance i (d); enddef;\n",
        1,
-       {"s.uq:1:27: error: ", "contains itself", "remove one"}},
+       {"s.uq:2:27: error: ", "'d' draws 'e' draws 'd'", "remove one"}},
       {"ParallelUp",
        ball + "light l .3; view v dop 0 0 -1 vup 0 0 1;",
        1,
-       {"s.uq:2:13: error: ", "vup", "vpn", "turn"}},
+       {"s.uq:2:31: error: ", "vup", "vpn", "turn"}},
       {"NoCopies",
        in_definition + "array i (d) 0; array j (d) -1; array k (d) 1.5;\n" + view_and_light,
        1,
@@ -101,6 +102,7 @@ struct Extreme {
   const char* name;
   std::string text;
 };
+void PrintTo(const Extreme& extreme, std::ostream* out) { *out << extreme.text; }
 
 class ExtremeNumbers : public CommandLine, public ::testing::WithParamInterface<Extreme> {};
 
