@@ -19,14 +19,8 @@ class RootWalk {
  public:
   std::int64_t next(std::int64_t d) {
     std::int64_t s = 3 * (s_[0] - s_[1]) + s_[2];
-    if (s >= 1 && s < (std::int64_t{1} << 31)) {
-      s += (d - s * s) / (2 * s);
-      const std::int64_t rest = d - s * s;
-      // |rest| = |s - sqrt(d)| (s + sqrt(d)), about 2 s times the error
-      if (rest > root_tolerance * s || -rest > root_tolerance * s) s = fresh(d);
-    } else {
-      s = fresh(d);
-    }
+    if (in_range(s)) s += (d - s * s) / (2 * s);
+    if (!in_range(s) || !close(s, d)) s = fresh(d);  // a step from a small s can lead anywhere
     s_[2] = s_[1];
     s_[1] = s_[0];
     s_[0] = s;
@@ -35,6 +29,13 @@ class RootWalk {
   [[nodiscard]] std::int64_t root() const { return s_[0]; }
 
  private:
+  // Squares fit.
+  static bool in_range(std::int64_t s) { return s >= 1 && s < std::int64_t{1} << 31; }
+  // |rest| = |s - sqrt(d)| (s + sqrt(d)), about 2 s times the error
+  static bool close(std::int64_t s, std::int64_t d) {
+    const std::int64_t rest = d - s * s;
+    return rest <= root_tolerance * s && -rest <= root_tolerance * s;
+  }
   static std::int64_t fresh(std::int64_t d) { return d <= 0 ? 0 : isqrt(static_cast<std::uint64_t>(d)); }
   std::int64_t s_[3] = {};
 };

@@ -78,13 +78,12 @@ void expect_within(std::int64_t units, std::int64_t s, std::int64_t d) {
 }
 
 TEST(RootWalk, StaysWithinItsTolerance) {
-  constexpr std::int64_t tolerance = 32;  // units, as root_walk.hpp promises
   Dice dice(8);
   for (int trial = 0; trial < 3000; ++trial) {
     Quadratic q = random_quadratic(dice);
     RootWalk walk;
     do {
-      expect_within(tolerance, walk.next(q.d), q.d);
+      expect_within(root_tolerance, walk.next(q.d), q.d);
       if (HasFatalFailure()) return;
     } while (q.step());
   }
