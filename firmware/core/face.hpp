@@ -76,7 +76,8 @@ inline void read_face(JobReader& in, Record type, ActiveFace& face) {
     face.level = in.byte();
   } else {
     const std::uint8_t flags = in.byte();  // bit 0: back sheet; bit 1: normal against the gradient
-    face.sheet = face.kind == FaceKind::rational ? 0 : (flags & 1U) != 0 ? 1 : -1;
+    const int sheet = face.kind == FaceKind::rational ? 0 : (flags & 1U) != 0 ? 1 : -1;
+    face.sheet = static_cast<std::int8_t>(sheet);
     face.light_sign = (flags & 2U) != 0 ? -1 : 1;
   }
   const int count = face.kind == FaceKind::plane ? 4 : 10;
