@@ -116,8 +116,7 @@ class Engine {
     if (result_.status == DrawStatus::ok) result_.status = status;
   }
 
-  // --- records
-  // -----------------------------------------------------------------------------------------------
+  // --- records ---
 
   void next_record() {
     const std::uint8_t type = in_.byte();
@@ -150,10 +149,7 @@ class Engine {
           break;
         default: {
           const std::uint16_t face = slot(p_.faces.size());
-          if (in_.failed()) break;
-          read_face(in_, type_, p_.faces[face]);
-          if (!has_depth(p_.faces[face])) fail(DrawStatus::bad_record);
-          if (type_ == Record::root_face) make_root_surface(p_.faces[face], h_.lighting);
+          if (!in_.failed()) enter_face(p_.faces[face]);
         }
       }
       if (in_.failed()) {
@@ -162,6 +158,21 @@ class Engine {
         next_record();
       }
     }
+  }
+
+  // Null for a plane, which has nothing to compute, and for a kind that this firmware leaves out.
+  [[nodiscard]] const FaceModule* module_of(FaceKind kind) const {
+    if (kind == FaceKind::plane) return nullptr;
+    return kind == FaceKind::root ? modules_.root : modules_.rational;
+  }
+
+  void enter_face(ActiveFace& face) {
+    read_face(in_, type_, face);
+    if (!has_depth(face)) return fail(DrawStatus::bad_record);
+    if (face.kind == FaceKind::plane) return;
+    const FaceModule* module = module_of(face.kind);
+    if (module == nullptr) return fail(DrawStatus::missing_module);
+    module->enter(face, h_.lighting);
   }
 
   void read_arc(std::int32_t y) {
@@ -217,8 +228,7 @@ class Engine {
     return p_.arc_states.data() + static_cast<std::size_t>(arc) * static_cast<std::size_t>(state_bytes(h_));
   }
 
-  // --- the sweep
-  // ---------------------------------------------------------------------------------------------
+  // --- the sweep ---
 
   // Steps the arcs to scan line y; arcs and cells whose last line has passed leave.
   void advance(std::int32_t y) {
@@ -293,16 +303,14 @@ class Engine {
       if (face.kind == FaceKind::plane) {
         ++counters.level_spans;
         painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
-      } else if (face.kind == FaceKind::root) {
-        shade_root_span({face, h_.lighting, levels_, exact_, painter_, counters}, options_.shader, y, span.x0, span.x1);
       } else {
-        shade_rational_span({face, h_.lighting, levels_, exact_, painter_, counters}, y, span.x0, span.x1);
+        module_of(face.kind)->shade({face, h_.lighting, levels_, exact_, painter_, counters}, options_.shader, y,
+                                    span.x0, span.x1);
       }
     }
   }
 
-  // --- bands
-  // -------------------------------------------------------------------------------------------------
+  // --- bands ---
 
   void put_row(std::int32_t y) {
     const std::size_t bytes = h_.page.row_bytes();

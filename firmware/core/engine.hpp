@@ -20,6 +20,7 @@
 #include "firmware/core/depth.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
+#include "firmware/core/shade.hpp"
 
 namespace halfspace {
 
@@ -27,6 +28,8 @@ namespace halfspace {
 struct Modules {
   std::array<const ArcModule*, arc_kinds> arcs{};        // by ArcKind
   std::array<const ExactModule*, exact_widths> exact{};  // narrow to wide
+  const FaceModule* root = nullptr;                      // quadrics with z^2
+  const FaceModule* rational = nullptr;                  // quadrics without
 };
 extern const Modules all_modules;
 
@@ -40,7 +43,7 @@ enum class DrawStatus : std::uint8_t {
   ok,
   not_a_job,       // magic, version or header
   bad_record,      // a record is malformed or the job ends early
-  missing_module,  // the job needs an arc kind or a width this firmware leaves out
+  missing_module,  // the job needs an arc kind, a face kind or a width this firmware leaves out
   does_not_fit,    // memory: see need and have, in bytes
   too_many_spans,  // a scan line has more spans than the header says: need is at least have + 1
   stopped,         // the band sink refused a band

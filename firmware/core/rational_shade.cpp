@@ -126,4 +126,9 @@ void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   });
 }
 
+const FaceModule rational_faces{[](ActiveFace&, const Lighting&) {},
+                                [](const ShadeJob& job, Shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+                                  shade_rational_span(job, y, x0, x1);
+                                }};
+
 }  // namespace halfspace

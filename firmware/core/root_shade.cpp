@@ -196,4 +196,6 @@ void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::in
   for (; x0 <= x1; x0 += longest_walk) SpanShader(job, y, x0, std::min(x1, x0 + longest_walk - 1)).run(shader);
 }
 
+const FaceModule root_faces{&make_root_surface, &shade_root_span};
+
 }  // namespace halfspace

@@ -27,6 +27,7 @@ struct Request {
 struct Compiled {
   JobResult job;
   std::set<ArcKind> kinds;
+  bool roots = false, rationals = false;  // quadrics with and without z^2 among the faces
 };
 
 // Prints what is wrong; true when nothing is worse than a warning.
@@ -56,6 +57,11 @@ bool compile(const Request& request, Compiled& compiled) {
   compiled.job = write_job(flat.scene, resolved.scene, {.page = page});
   if (!accepted(compiled.job.diagnostics)) return false;
   for (const Arc& arc : resolved.scene.arcs) compiled.kinds.insert(arc_kind(flat.scene, arc).value());
+  for (const Face& face : resolved.scene.faces) {
+    const IntegerHalfSpace& h = flat.scene.bodies[face.body].half_spaces[face.half_space];
+    if (h.kind == HalfSpaceKind::plane) continue;
+    (h.c[2] != 0 ? compiled.roots : compiled.rationals) = true;
+  }
   return true;
 }
 
@@ -103,8 +109,9 @@ bool write_source(const Request& request, const Compiled& compiled) {
       out << "nullptr,";
     }
   }
-  out << "}, {&" << exact_module(compiled.job.header.needs.exact_bits)
-      << "}}, Shader::" << (request.shader == Shader::jordan ? "jordan" : "isqrt")
+  out << "}, {&" << exact_module(compiled.job.header.needs.exact_bits) << "}, "
+      << (compiled.roots ? "&root_faces, " : "nullptr, ") << (compiled.rationals ? "&rational_faces" : "nullptr")
+      << "}, Shader::" << (request.shader == Shader::jordan ? "jordan" : "isqrt")
       << "};\n\n}  // namespace halfspace\n";
   out.flush();
   if (!out)
