@@ -64,12 +64,11 @@ EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet)
 EnclosedSheet::EnclosedConstraint EnclosedSheet::enclosed(const Constraint& k, long root_exponent) const {
   if (shape_ == SheetShape::rational) {
     const long scale = exponent_of(k.surface);
-    return {k.half_space,         k.curved,
-            k.surface.sense,      {k.surface.c, scale},
-            {k.surface.b, scale}, enclosure(k.surface.a, scale)};
+    return {k.half_space,         k.untraced,           k.surface.sense,
+            {k.surface.c, scale}, {k.surface.b, scale}, enclosure(k.surface.a, scale)};
   }
   const long scale = std::max(exponent_of(k.p), exponent_of(k.r) + root_exponent);  // one for P and R sqrt(d)
-  return {k.half_space, k.curved, k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
+  return {k.half_space, k.untraced, k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
 }
 
 EnclosedSheet::OnBox EnclosedSheet::own_forms(const Box& box, const Interval& d) const {
@@ -109,7 +108,7 @@ std::optional<std::uint32_t> EnclosedSheet::possible_meeting(const Box& box) con
   for (const EnclosedConstraint& k : constraints_) {
     const Interval value = value_of(k, own, box);
     if (k.sense > 0 ? value.positive() : value.negative()) return std::nullopt;
-    if (k.curved && value.may_vanish()) meeting = k.half_space;
+    if (k.untraced && value.may_vanish()) meeting = k.half_space;
   }
   return meeting;
 }

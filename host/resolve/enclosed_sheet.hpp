@@ -38,13 +38,13 @@ class EnclosedSheet {
   // Where in the box does the sheet exist with every constraint holding?
   [[nodiscard]] Verdict shows_over(const Box& box) const;
 
-  // A curved constraint that may vanish on the shown part of the sheet, if any.
+  // An untraced constraint that may vanish on the shown part of the sheet, if any.
   [[nodiscard]] std::optional<std::uint32_t> possible_meeting(const Box& box) const;
 
  private:
   struct EnclosedConstraint {
     std::uint32_t half_space = 0;
-    bool curved = false;
+    bool untraced = false;
     int sense = 1;
     EnclosedCurve p, r;  // rational sheets: c' and b' of the other surface, and its a'
     Interval a;

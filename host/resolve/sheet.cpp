@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "host/resolve/pencil.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -76,6 +78,17 @@ Curve section(const Surface& quadric, const Surface& plane) {
          slope * slope * quadric.c;
 }
 
+// On a curved sheet: which plane, if any, settles the constraint's sign?
+void set_plane(const IntegerHalfSpace& own, const IntegerHalfSpace& other, Constraint& k) {
+  if (!is_curved(other)) {
+    k.plane = k.surface;
+    return;
+  }
+  const auto sign = constant_sign(own, other);
+  k.untraced = !sign;
+  if (sign && sign->touching) k.plane = surface_of(*sign->touching);
+}
+
 }  // namespace
 
 bool is_curved(const IntegerHalfSpace& half_space) {
@@ -108,23 +121,24 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
-    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, is_curved(body.half_spaces[k])};
+    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}};
     if (same_surface(sheets.surface, other.surface)) continue;
     set_form(sheets, other);
+    if (sheets.curved) set_plane(own, body.half_spaces[k], other);
     sheets.constraints.push_back(std::move(other));
   }
   return sheets;
 }
 
 bool has_untraced_constraint(const Sheets& sheets) {
-  return sheets.curved && std::any_of(sheets.constraints.begin(), sheets.constraints.end(),
-                                      [](const Constraint& k) { return k.curved; });
+  return std::any_of(sheets.constraints.begin(), sheets.constraints.end(),
+                     [](const Constraint& k) { return k.untraced; });
 }
 
 bool has_zero_constraint(const Sheets& sheets) {
   return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
     if (!sheets.curved) return is_zero(k.p);
-    return !k.curved && is_zero(section(sheets.surface, k.surface));
+    return k.plane && is_zero(section(sheets.surface, *k.plane));
   });
 }
 
@@ -135,8 +149,8 @@ std::vector<Curve> bounding_curves(const Sheets& sheets) {
   for (const Constraint& k : sheets.constraints) {
     if (!sheets.curved) {
       append_factors(k.p, curves);
-    } else if (!k.curved) {
-      append_factors(section(sheets.surface, k.surface), curves);
+    } else if (k.plane) {
+      append_factors(section(sheets.surface, *k.plane), curves);
     }
   }
   return curves;

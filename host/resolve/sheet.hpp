@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/flatten/integer_scene.hpp"
@@ -35,8 +36,10 @@ enum class SheetShape : std::uint8_t { none, flat, rational, two_sheets };
 struct Constraint {
   std::uint32_t half_space = 0;
   Surface surface;
-  Curve p, r;           // unused on a rational sheet
-  bool curved = false;  // with a curved sheet: its meeting curve is not traced
+  Curve p, r;  // unused on a rational sheet
+  // On a curved sheet:
+  std::optional<Surface> plane;  // itself, or along which two quadrics touch that keep apart elsewhere (pencil.hpp)
+  bool untraced = false;         // a quadric that may meet the sheet's own: the curve is not traced
 };
 
 struct Sheets {
