@@ -14,7 +14,7 @@ namespace halfspace::testing {
 [[nodiscard]] std::string first_difference(const IntegerScene& scene, const std::vector<std::int16_t>& drawn,
                                            bool trust_boxes = false);
 
-// HALFSPACE_RANDOM_BODIES, or `standard`.
+// HALFSPACE_RANDOM_BODIES, or `standard` (a twentieth of it under the address sanitizer).
 [[nodiscard]] std::uint64_t random_count(std::uint64_t standard);
 
 }  // namespace halfspace::testing
