@@ -1,10 +1,12 @@
 #include "host/flatten/flatten.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "host/flatten/extent.hpp"
+#include "host/flatten/family.hpp"
 #include "host/flatten/lighting.hpp"
 #include "host/flatten/mating.hpp"
 #include "host/flatten/placement.hpp"
@@ -29,6 +31,7 @@ struct PageHalfSpace {
   std::optional<Box> box;  // around the bodies that use it
   std::size_t leader = no_leader;
   bool opposite = false;
+  bool settled = false;  // rounded with its family
   Quantised quantised;
 };
 
@@ -249,12 +252,42 @@ class Flattener {
     leaders_ = mating.leaders();
   }
 
+  // Quadrics of one place that differ by a constant are rounded together, for the boxes of all.
+  void quantise_families() {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> families;
+    for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
+      const PlacedHalfSpace& h = placed_.half_spaces[i];
+      if (h.kin.family != no_family && half_spaces_[i].box) families[{h.place, h.kin.family}].push_back(i);
+    }
+    for (const auto& [key, members] : families) {
+      if (members.size() > 1) quantise_family_of(members);
+    }
+  }
+
+  // Members that cannot be held together are left to themselves.
+  void quantise_family_of(const std::vector<std::size_t>& members) {
+    std::vector<FamilyMember> family;
+    Box box = *half_spaces_[members.front()].box;
+    for (const std::size_t i : members) {
+      family.push_back({placed_.half_spaces[i].shape, placed_.half_spaces[i].kin});
+      box = around(box, *half_spaces_[i].box);
+    }
+    const Matrix4& place = placed_.places[placed_.half_spaces[members.front()].place];
+    auto all = halfspace::quantise_family(family, place, box);
+    if (!all) return;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      half_spaces_[members[k]].quantised = std::move((*all)[k]);
+      half_spaces_[members[k]].settled = true;
+    }
+  }
+
   // A leader's plane is rounded for the boxes of all that joined it.
   bool quantise_all() {
+    quantise_families();
     std::vector<std::optional<Quantised>> planes(leaders_.size());
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       PageHalfSpace& h = half_spaces_[i];
-      if (!h.box) continue;
+      if (!h.box || h.settled) continue;
       std::optional<Quantised> quantised;
       if (h.leader == no_leader) {
         quantised = quantise_one(i, *h.box);

@@ -26,6 +26,11 @@ IntegerForm primitive(IntegerForm form) {
   return form;
 }
 
+IntegerForm negated(IntegerForm form) {
+  for (mpz_class& v : form.c) v = -v;
+  return form;
+}
+
 void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear) {
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i; j < 4; ++j) quadric.c[quadric_index[i][j]] += sign * linear[i] * linear[j];

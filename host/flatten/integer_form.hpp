@@ -24,6 +24,9 @@ struct IntegerForm {
 // Without its common factor.
 [[nodiscard]] IntegerForm primitive(IntegerForm form);
 
+// The same surface, written the other way round.
+[[nodiscard]] IntegerForm negated(IntegerForm form);
+
 // Adds sign * linear^2 to a quadric.
 void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear);
 

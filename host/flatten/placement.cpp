@@ -83,6 +83,13 @@ RealHalfSpace real_half_space(HalfSpaceKind kind, const std::array<Number, n>& c
   return normalised(h);
 }
 
+// What `normalised` divides by.
+Real largest_coefficient(const QuadricStatement& s) {
+  Real most = 0;
+  for (const Number& number : s.coefficients) most = larger(most, magnitude(decimal_to_real(number.text)));
+  return most;
+}
+
 // Keeps the coefficients of a group's statements, whose decimals are read once for all copies.
 using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
 
@@ -91,8 +98,12 @@ GroupShapes shapes_of(const Group& group) {
   for (const PlaneStatement& s : group.planes) {
     shapes[s.id] = {real_half_space(HalfSpaceKind::plane, s.coefficients), 0, s.transparent, s.id, s.position};
   }
-  for (const QuadricStatement& s : group.quadrics) {
-    shapes[s.id] = {real_half_space(HalfSpaceKind::quadric, s.coefficients), 0, s.transparent, s.id, s.position};
+  const std::vector<Kinship> kinships = kinships_of(group.quadrics);
+  for (std::size_t i = 0; i < kinships.size(); ++i) {
+    const QuadricStatement& s = group.quadrics[i];
+    const RealHalfSpace shape = real_half_space(HalfSpaceKind::quadric, s.coefficients);
+    shapes[s.id] = {shape, 0, s.transparent, s.id, s.position, kinships[i]};
+    shapes[s.id].kin.ratio = kinships[i].ratio / largest_coefficient(s);
   }
   return shapes;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/flatten/family.hpp"
 #include "host/flatten/matrix.hpp"
 #include "host/scene/scene.hpp"
 
@@ -25,6 +26,7 @@ struct PlacedHalfSpace {
   bool transparent = false;
   std::string name;
   SourcePosition position;
+  Kinship kin = {};  // quadrics only; its family is one of the place's
 };
 
 struct HalfSpaceUse {

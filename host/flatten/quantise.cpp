@@ -15,6 +15,7 @@ constexpr int small_quadric_bits = 32;
 // A part that counts as 0 although it was there (spectrum.hpp, zero_bits), and a proportion that was taken for exact
 // (rational.hpp), move a surface by no more than these parts of the box, even at a double root.
 constexpr int dropped_part_bits = 36;
+constexpr unsigned most_sibling_bits = 40;  // more of a multiple do not help: the leader's own error is what is left
 // Shifting a frame by 2^36 of its sizes leaves 2^-76 of noise in a transform, and at most 2^-74 in coefficients.
 constexpr int far_bits = 36;
 
@@ -285,6 +286,53 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   return least_scale(SquaresAttempt(reduced, box));
 }
 
+// Integers over what they stand for, by the coefficient that says most within the box.
+Real scale_between(const IntegerForm& integers, const RealHalfSpace& truth, const LocalBox& box) {
+  Real most = 0;
+  Real scale = 1;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Real weight = magnitude(truth.c[i]) * (i < 6 ? box.radius * box.radius : i < 9 ? box.radius : Real(1));
+    if (weight <= most) continue;
+    most = weight;
+    scale = magnitude(to_real(integers.c[i]) / truth.c[i]);
+  }
+  return scale;
+}
+
+// The least of |gradient / 2| on the surface in the box: by the constant, by the rest, or by squares that vanish nowhere
+// in the box (a cone is steep where its apex is far).
+Real least_gradient(const ReducedQuadric& reduced, const LocalBox& box) {
+  const Vector4& rest = reduced.rest;
+  if (reduced.linear) return length({rest[0], rest[1], rest[2]}) / 2;
+  Real squares = 0;
+  for (std::size_t i = 0; i < reduced.count; ++i) {
+    const auto& [weight, form] = reduced.squares[i];
+    const Real least = larger(0, magnitude(form[3]) - reach({form[0], form[1], form[2], 0}, box.half));
+    squares += weight * weight * least * least;
+  }
+  return larger(least_gradient(reduced), square_root(squares));
+}
+
+bool has_surface(const ReducedQuadric& reduced) {
+  return reduced.linear || reduced.constant() == 0 || least_gradient(reduced) > 0;
+}
+
+// By the residuals. Along the gradient, 2 g long, the value grows by 2 g h - w h^2 at least in h dots, w the largest weight:
+// by `error` for h = error / g, where error w <= g^2.
+std::optional<Real> sibling_bound(const RealHalfSpace& integers, Real factor, const RealHalfSpace& truth,
+                                  const LocalBox& box) {
+  std::array<Real, 10> residual{};
+  for (std::size_t i = 0; i < 10; ++i) residual[i] = integers.c[i] / factor - truth.c[i];
+  const Real error = quadric_reach(residual, box.half);
+  const ReducedQuadric reduced = reduce(truth, box.radius);
+  if (!has_surface(reduced)) return 0;
+  Real weight = 0;
+  for (std::size_t i = 0; i < reduced.count; ++i) weight = larger(weight, magnitude(reduced.squares[i].weight));
+  const Real gradient = least_gradient(reduced, box);
+  if (gradient == 0 || error * weight > gradient * gradient) return std::nullopt;
+  return error / gradient;
+}
+
 bool is_zero(const RealHalfSpace& h) {
   for (const Real v : h.c) {
     if (v != 0) return false;
@@ -294,8 +342,10 @@ bool is_zero(const RealHalfSpace& h) {
 
 }  // namespace
 
-std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box) {
-  const LocalBox local = local_box(box);
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box,
+                                  int extra_bits) {
+  LocalBox local = local_box(box);
+  local.target = local.target * power_of_two(-extra_bits);
   Matrix4 shift = identity_matrix;
   for (std::size_t i = 0; i < 3; ++i) {
     shift[3][i] = to_real(local.origin[i]);
@@ -310,6 +360,32 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
   result->form = primitive(seen_from(result->form, back));
   return result;
+}
+
+std::optional<Quantised> quantise_sibling(const Quantised& leader_integers, const RealHalfSpace& leader, Real apart,
+                                          const Matrix4& inverse, const Box& box) {
+  const LocalBox local = local_box(box);
+  Matrix4 shift = identity_matrix;
+  for (std::size_t i = 0; i < 3; ++i) shift[3][i] = to_real(local.origin[i]);
+  const Matrix4 to_place = product(shift, inverse);
+  RealHalfSpace truth = leader;
+  truth.c[9] += apart;
+  truth = transformed(truth, to_place);
+  const RealHalfSpace one = transformed({HalfSpaceKind::quadric, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}, inverse);
+  const std::size_t unit = one.c[2] != 0 ? 2 : 9;  // z^2 in perspective
+  const Real scale = scale_between(seen_from(leader_integers.form, local.origin), transformed(leader, to_place), local);
+  for (unsigned bits = 0; bits <= most_sibling_bits; ++bits) {
+    const Real factor = scale * power_of_two(static_cast<int>(bits));
+    const mpz_class multiple = round_to_integer(apart * one.c[unit] * factor);
+    if (multiple == 0) continue;
+    Quantised result = leader_integers;
+    for (mpz_class& v : result.form.c) v <<= bits;
+    result.form.c[unit] += multiple;
+    const auto bound = sibling_bound(to_real(seen_from(result.form, local.origin)), factor, truth, local);
+    if (!bound || *bound > local.target) continue;
+    return Quantised{primitive(result.form), *bound};
+  }
+  return std::nullopt;
 }
 
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
