@@ -241,11 +241,16 @@ class Flattener {
 
   void mate() {
     PlaneMating mating({Real(options_.width) / 2, Real(options_.height) / 2, 0});
-    for (PageHalfSpace& h : half_spaces_) {
+    std::vector<std::vector<std::uint32_t>> users(half_spaces_.size());
+    for (std::uint32_t body = 0; body < placed_.bodies.size(); ++body) {
+      for (const HalfSpaceUse& use : placed_.bodies[body].uses) users[use.half_space].push_back(body);
+    }
+    for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
+      PageHalfSpace& h = half_spaces_[i];
       const bool has_normal =
           h.shape.kind == HalfSpaceKind::plane && largest({h.shape.c[0], h.shape.c[1], h.shape.c[2]}) != 0;
       if (!has_normal || !h.box) continue;
-      const PlaneMating::Match match = mating.add(h.shape, *h.box);
+      const PlaneMating::Match match = mating.add(h.shape, *h.box, users[i]);
       h.leader = match.leader;
       h.opposite = match.opposite;
     }

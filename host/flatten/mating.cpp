@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr int agreement_bits = 10;
+constexpr int sameness_bits = 40;
 
 // Cells of the grid per unit: 2^6 of normals, 1 of dots; and how far around a plane is looked.
 const Vector4 cells_per_unit{64, 64, 64, 1};
@@ -41,6 +42,13 @@ bool agree(const RealHalfSpace& a, const RealHalfSpace& b, const Box& box) {
   return magnitude(at_centre) + spread <= power_of_two(-agreement_bits);
 }
 
+// The same coefficients but for their last bits.
+bool are_same(const RealHalfSpace& a, const RealHalfSpace& b) {
+  Real most = 0;
+  for (std::size_t i = 0; i < 4; ++i) most = larger(most, magnitude(a.c[i] - b.c[i]));
+  return most <= power_of_two(-sameness_bits) * larger(1, magnitude(a.c[3]));
+}
+
 }  // namespace
 
 std::size_t PlaneMating::KeyHash::operator()(const Key& key) const {
@@ -58,7 +66,8 @@ Vector4 PlaneMating::position_of(const RealHalfSpace& plane) const {
 }
 
 // Looks in the cells of the corners around the plane's position: most often all one cell.
-std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box) const {
+std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box,
+                              const std::vector<std::uint32_t>& bodies) const {
   const Vector4 position = position_of(plane);
   std::array<Key, 2> ends;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -78,7 +87,12 @@ std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box) const 
     if (found == cells_.end()) continue;
     for (const std::size_t candidate : found->second) {
       const Leader& leader = leaders_[candidate];
-      if (candidate < best && agree(plane, leader.plane, box) && agree(plane, leader.plane, leader.first)) {
+      if (candidate >= best) continue;
+      const bool one_body = std::any_of(bodies.begin(), bodies.end(),
+                                        [&leader](std::uint32_t body) { return leader.bodies.count(body) != 0; });
+      const bool joins = one_body ? are_same(plane, leader.plane)
+                                  : agree(plane, leader.plane, box) && agree(plane, leader.plane, leader.first);
+      if (joins) {
         best = candidate;
       }
     }
@@ -86,20 +100,23 @@ std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box) const 
   return best;
 }
 
-PlaneMating::Match PlaneMating::add(const RealHalfSpace& plane, const Box& box) {
+PlaneMating::Match PlaneMating::add(const RealHalfSpace& plane, const Box& box,
+                                    const std::vector<std::uint32_t>& bodies) {
   const RealHalfSpace own = with_unit_normal(plane);
-  const std::size_t same = find(own, box);
-  const std::size_t opposite = find(reversed(own), box);
+  const std::size_t same = find(own, box, bodies);
+  const std::size_t opposite = find(reversed(own), box, bodies);
   if (same == none && opposite == none) {
     Key key{};
     const Vector4 position = position_of(own);
     for (std::size_t i = 0; i < 4; ++i) key[i] = cell(position[i] * cells_per_unit[i]);
     cells_[key].push_back(leaders_.size());
-    leaders_.push_back({own, box, box});
+    leaders_.push_back({own, box, box, {bodies.begin(), bodies.end()}});
     return {leaders_.size() - 1, false};
   }
   const Match match{std::min(same, opposite), opposite < same};
-  leaders_[match.leader].all = around(leaders_[match.leader].all, box);
+  Leader& leader = leaders_[match.leader];
+  leader.all = around(leader.all, box);
+  leader.bodies.insert(bodies.begin(), bodies.end());
   return match;
 }
 

@@ -1,6 +1,7 @@
 // mating.hpp - planes that agree within 2^-10 dot over their bodies become one plane, so that no crack opens.
 // Rule     A plane joins the first one before it, written either way round, from which it is nowhere further than
-//          2^-10 dot in the boxes of both; else it stands for itself and for those to come.
+//          2^-10 dot in the boxes of both; else it stands for itself and for those to come. Planes of one body join only if
+//          they are the same but for the last bits: in a body as thin as a line, two that cross there would agree too.
 // Cost     A hash grid of unit normals and distances from the page's middle: linear in the planes. So planes are found
 //          whose normals differ by less than 2^-10 and whose distances there by less than 1/8 dot, which leaves out
 //          only bodies under a dot across, or some hundred times further from the middle than they are large.
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "host/flatten/extent.hpp"
@@ -22,14 +24,16 @@ class PlaneMating {
     bool opposite = false;   // the leader is written the other way round
   };
   struct Leader {
-    RealHalfSpace plane;  // unit normal
-    Box first, all;       // the boxes of its own body, and of all that joined
+    RealHalfSpace plane;                       // unit normal
+    Box first, all;                            // the boxes of its own body, and of all that joined
+    std::unordered_set<std::uint32_t> bodies;  // of all that joined
   };
 
   explicit PlaneMating(const Vector3& middle) : middle_(middle) {}
 
   // The plane has a normal.
-  Match add(const RealHalfSpace& plane, const Box& box);
+  // `bodies` use it.
+  Match add(const RealHalfSpace& plane, const Box& box, const std::vector<std::uint32_t>& bodies);
 
   [[nodiscard]] const std::vector<Leader>& leaders() const { return leaders_; }
 
@@ -39,7 +43,8 @@ class PlaneMating {
     std::size_t operator()(const Key& key) const;
   };
   [[nodiscard]] Vector4 position_of(const RealHalfSpace& plane) const;
-  [[nodiscard]] std::size_t find(const RealHalfSpace& plane, const Box& box) const;
+  [[nodiscard]] std::size_t find(const RealHalfSpace& plane, const Box& box,
+                                 const std::vector<std::uint32_t>& bodies) const;
 
   Vector3 middle_;
   std::vector<Leader> leaders_;

@@ -90,11 +90,23 @@ TEST(Mating, CostStaysLinearInParallelPlanes) {
   for (int i = 0; i < 20000; ++i) {
     const Real at = Real(i) / 3;
     const Box box{{at, 0, 0}, {at + 1, 1, 1}};
-    mating.add({HalfSpaceKind::plane, {1, 0, 0, -at}}, box);
-    const PlaneMating::Match match = mating.add({HalfSpaceKind::plane, {-2, 0, 0, 2 * at}}, box);
+    mating.add({HalfSpaceKind::plane, {1, 0, 0, -at}}, box, {});
+    const PlaneMating::Match match = mating.add({HalfSpaceKind::plane, {-2, 0, 0, 2 * at}}, box, {});
     ASSERT_EQ(match.leader, static_cast<std::size_t>(i));
     ASSERT_TRUE(match.opposite);
   }
+}
+
+// In a box as thin as a line two planes that cross in it agree; in one body they stay two.
+TEST(Mating, PlanesOfOneBodyStayApart) {
+  PlaneMating mating({0, 0, 0});
+  const Box line{{0, 5, 0}, {0, 5, 100}};
+  const RealHalfSpace flat{HalfSpaceKind::plane, {0, 1, 0, -5}};
+  const RealHalfSpace tilted{HalfSpaceKind::plane, {Real(1) / 4096, 1, 0, -5}};
+  EXPECT_EQ(mating.add(flat, line, {7}).leader, 0U);
+  EXPECT_EQ(mating.add(tilted, line, {7}).leader, 1U);
+  EXPECT_EQ(mating.add(tilted, line, {8}).leader, 0U);
+  EXPECT_EQ(mating.add(flat, line, {7}).leader, 0U);
 }
 
 }  // namespace
