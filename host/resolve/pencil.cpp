@@ -186,7 +186,7 @@ Matrix negative(Matrix s) {
 std::optional<ConstantSign> constant_sign(const IntegerHalfSpace& on, const IntegerHalfSpace& value) {
   const Matrix p = matrix_of(on);
   const Matrix q = matrix_of(value);
-  if (const auto sign = sign_by_square(p, q)) return sign;
+  if (auto sign = sign_by_square(p, q)) return sign;
   if (has_positive_member(p, q) || has_positive_member(p, negative(q))) return ConstantSign{};
   return std::nullopt;
 }
