@@ -39,6 +39,9 @@ struct Shade {
   T least{}, most{};
 };
 
+// Dots. The promise ends this far before vrp (docs/flatten.md): closer to the eye than a 2^20th of the window's distance.
+inline constexpr int deepest = 1 << 20;
+
 template <typename T>
 class RayCaster {
  public:
@@ -311,7 +314,9 @@ auto RayCaster<T>::hit(const Body& body, const Surface& s, const PagePoint<T>& p
     if (v > margin) return std::nullopt;
     if (v > -margin) result.certain = false;
   }
-  const bool normal_known = steep > T(8) * s.bend * bound;
+  const bool next_to_the_eye = perspective_ && p[2] < T(-deepest);
+  if (next_to_the_eye) result.certain = false;
+  const bool normal_known = steep > T(8) * s.bend * bound && !next_to_the_eye;
   result.shade.least = top_ * (normal_known ? intensity(s, p) : std::min(ambient_, T(1)));
   result.shade.most = normal_known ? result.shade.least : T(top_ * std::min(T(ambient_ + parallel_), T(1)));
   return result;

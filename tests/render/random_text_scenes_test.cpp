@@ -2,7 +2,6 @@
 // by the promise oracle. HALFSPACE_RANDOM_BODIES sets how many scenes (seeds 1 ..).
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "host/flatten/flatten.hpp"
@@ -39,14 +38,16 @@ void check(std::uint64_t seed, Tally& tally) {
   }
   ++tally.drawn;
   EXPECT_EQ(testing::first_difference(flat.scene, drawn.levels), "") << source.name << "\n" << text;
-  const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels);
-  for (const oracle::BrokenDot& dot : promise.broken) {
-    // The oracle's own fit of a scene without a window is good to fit_slack only, so a level may be off by more than a half.
-    if (promise.fitted && dot.level >= 0 && dot.truth >= 0 && std::abs(dot.level + 0.5 - dot.truth) < 3) continue;
+  // Where the text gives no window the oracle samples the extent, and may miss a tip thinner than its net: then one dot in a hundred
+  // may differ. With a window none may.
+  constexpr std::size_t hundredth = 64 * 64 / 100;
+  const oracle::PromiseReport promise =
+      oracle::check_promise(parsed.scene, flat.scene, drawn.levels, {.enough = hundredth + 1});
+  if (promise.broken.size() > (promise.fitted ? hundredth : 0)) {
+    const oracle::BrokenDot& dot = promise.broken.front();
     ADD_FAILURE() << source.name << ": dot (" << dot.x << ", " << dot.y << ") is " << dot.level << ", the text says "
                   << dot.truth << "\n"
                   << text;
-    break;
   }
   if (flat.scene.bound > 1.0 / 256) ++tally.broken_bounds;
 }
@@ -71,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(Shares, RandomTextScenes, ::testing::Range(std::uint64_
 // Scenes that once failed, each for its own reason (the log of this file's history tells).
 TEST(KeptTextScenes, StayRight) {
   Tally tally;
-  for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741}) check(seed, tally);
+  for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741, 4802, 10973}) check(seed, tally);
 }
 
 }  // namespace
