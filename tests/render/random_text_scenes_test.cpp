@@ -41,8 +41,9 @@ void check(std::uint64_t seed, Tally& tally) {
   // Where the text gives no window the oracle samples the extent, and may miss a tip thinner than its net: then one dot in a hundred
   // may differ. With a window none may.
   constexpr std::size_t hundredth = 64 * 64 / 100;
-  const oracle::PromiseReport promise =
-      oracle::check_promise(parsed.scene, flat.scene, drawn.levels, {.enough = hundredth + 1});
+  oracle::PromiseOptions options;
+  options.enough = hundredth + 1;
+  const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels, options);
   if (promise.broken.size() > (promise.fitted ? hundredth : 0)) {
     const oracle::BrokenDot& dot = promise.broken.front();
     ADD_FAILURE() << source.name << ": dot (" << dot.x << ", " << dot.y << ") is " << dot.level << ", the text says "
