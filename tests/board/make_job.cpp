@@ -56,6 +56,11 @@ bool compile(const Request& request, Compiled& compiled) {
   const Page page{request.width, request.height, DotFormat::bilevel, request.levels, request.levels - 1};
   compiled.job = write_job(flat.scene, resolved.scene, {.page = page});
   if (!accepted(compiled.job.diagnostics)) return false;
+  if (compiled.job.header.needs.exact_bits > exact_768.bits) {
+    std::cerr << request.scene << ": error: needs exact arithmetic of " << compiled.job.header.needs.exact_bits
+              << " bits, and the board's stack holds 768; draw it smaller or with fewer levels\n";
+    return false;
+  }
   for (const Arc& arc : resolved.scene.arcs) compiled.kinds.insert(arc_kind(flat.scene, arc).value());
   for (const Face& face : resolved.scene.faces) {
     const IntegerHalfSpace& h = flat.scene.bodies[face.body].half_spaces[face.half_space];
@@ -88,11 +93,8 @@ bool draw_here(const Request& request, const JobResult& job) {
   return false;
 }
 
-// The narrowest width that the job can do with.
-const char* exact_module(std::int32_t bits) {
-  if (bits <= exact_384.bits) return "exact_384";
-  return bits <= exact_768.bits ? "exact_768" : "exact_1152";
-}
+// The narrowest width that the job can do with. The board's stack holds no wider one than 768 bits (docs/boards.md).
+const char* exact_module(std::int32_t bits) { return bits <= exact_384.bits ? "exact_384" : "exact_768"; }
 
 bool write_source(const Request& request, const Compiled& compiled) {
   static constexpr const char* names[arc_kinds] = {"line_arc_64",  "line_arc_128",  "line_arc_256",
