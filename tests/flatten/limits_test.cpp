@@ -63,7 +63,7 @@ TEST(Limits, OfPlacedBodies) {
   ASSERT_EQ(result.diagnostics.size(), 1U);
   EXPECT_EQ(result.diagnostics[0].severity, Severity::limit);
   EXPECT_EQ(format(result.diagnostics[0]),
-            "test.uq:3:1: error: 'b' brings the picture to more than 1000000 bodies; place fewer copies");
+            "test.uq:3:1: error: 'b' brings the picture to more than 100000 bodies; place fewer copies");
 }
 
 TEST(Limits, ArraysOfNothingCostNothing) {
