@@ -38,7 +38,6 @@ class ProgressSink final : public BandSink {
     if (now - last_ < std::chrono::milliseconds(200)) return;
     last_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
-    if (elapsed < 0.5) return;
     fmt::print(stderr, "\r\x1b[Kscan line {} of {}, {:.0f} s left", lines, height_,
                elapsed * (height_ - lines) / lines);
     shown_ = true;

@@ -175,12 +175,12 @@ TEST_F(Good, InfoNamesBoundAndNeeds) {
 
 // Slow enough everywhere to be asked how far it is.
 const Arguments long_work{
-    "render", HALFSPACE_SOURCE_DIR "/scenes/stack_of_bundles.uq", "-d", "gray", "--size", "6000x6000", "-o", "a.prn"};
+    "render", HALFSPACE_SOURCE_DIR "/scenes/stack_of_bundles.uq", "-d", "gray", "--size", "9000x9000", "-o", "a.prn"};
 
 TEST_F(Good, LongWorkTellsATerminalHowFarItIs) {
   const Outcome outcome = run({.arguments = long_work, .folder = folder_ / ".", .on_terminal = true});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find(" of 6000"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" of 9000"), std::string::npos) << outcome.err;
   EXPECT_TRUE(outcome.err.ends_with("\r\x1b[K")) << "the line must be wiped";
 }
 
