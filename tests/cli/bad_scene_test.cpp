@@ -63,7 +63,7 @@ std::vector<BadScene> bad_scenes() {
        in_definition + "definition e; array i (d) 1000 =tx 1; enddef;\n" +
            "definition f; array i (e) 1000 =ty 1; enddef;\narray i (f) 1000 =tz 1;\n" + view_and_light,
        4,
-       {"s.uq:5:1: error: ", "more than 100000 bodies", "place fewer"}},
+       {"s.uq:4:15: error: ", "more than 100000 bodies", "place fewer"}},
       {"UnboundedPicture",
        "plane p <0 1 0 0>; body b (p);\nlight l .3; view v dop 0 0 -1;",
        1,
