@@ -1,13 +1,18 @@
-// draw_bench - how long the core takes for a gray page: job in memory, bands to nowhere, one thread.
-// `dots` counts the dots that show a face; the page without its bodies is measured beside it, to be taken off.
+// draw_bench - processor time of a gray page, one thread, bands to nowhere; `dots` counts those that show a face.
+//   draw_page      the core alone, the job in memory; `empty` is the page without its bodies, to be taken off
+//   from_text      everything: reading, flattening, resolving, the job and the page
+//   resolve_bodies the resolver alone; `median_ms` is the median over bodies of at most two quadrics
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "firmware/core/engine.hpp"
 #include "host/flatten/flatten.hpp"
@@ -26,10 +31,13 @@ void stop_on_errors(const Diagnostics& diagnostics) {
   if (has_errors(diagnostics)) std::exit(EXIT_FAILURE);
 }
 
-JobResult job_of(const std::string& name, bool with_bodies) {
+std::array<SourceText, 1> text_of(const std::string& name) {
   const std::string path = std::string(HALFSPACE_SOURCE_DIR) + "/scenes/" + name + ".uq";
   std::ifstream file(path);
-  const std::array<SourceText, 1> texts{{{path, {std::istreambuf_iterator<char>(file), {}}}}};
+  return {{{path, {std::istreambuf_iterator<char>(file), {}}}}};
+}
+
+IntegerScene flat_scene(const std::array<SourceText, 1>& texts) {
   const ParseResult parsed = parse_uniquadrix(texts);
   stop_on_errors(parsed.diagnostics);
   FlattenOptions options;
@@ -38,10 +46,13 @@ JobResult job_of(const std::string& name, bool with_bodies) {
   options.levels = page.levels;
   FlattenResult flat = flatten(parsed.scene, options);
   stop_on_errors(flat.diagnostics);
-  if (!with_bodies) flat.scene.bodies.clear();
-  const ResolveResult resolved = resolve(flat.scene);
+  return std::move(flat.scene);
+}
+
+JobResult job_of(const IntegerScene& scene) {
+  const ResolveResult resolved = resolve(scene);
   stop_on_errors(resolved.diagnostics);
-  JobResult job = write_job(flat.scene, resolved.scene, {.page = page});
+  JobResult job = write_job(scene, resolved.scene, {.page = page});
   stop_on_errors(job.diagnostics);
   return job;
 }
@@ -54,19 +65,60 @@ class Nowhere final : public BandSink {
   }
 };
 
+DrawResult draw_job(const JobResult& job, Shader shader, std::vector<std::uint64_t>& memory) {
+  memory.resize(memory_needed(job.header, band_rows) / 8 + 1);
+  MemorySource source(job.bytes);
+  Nowhere sink;
+  return draw(source, sink, std::as_writable_bytes(std::span(memory)),
+              {.shader = shader, .band_rows = band_rows, .measure = false}, all_modules);
+}
+
 void draw_page(benchmark::State& state, const std::string& name, bool with_bodies, Shader shader) {
-  const JobResult job = job_of(name, with_bodies);
-  std::vector<std::uint64_t> memory(memory_needed(job.header, band_rows) / 8 + 1);
-  const auto draw_once = [&] {
-    MemorySource source(job.bytes);
-    Nowhere sink;
-    return draw(source, sink, std::as_writable_bytes(std::span(memory)),
-                {.shader = shader, .band_rows = band_rows, .measure = false}, all_modules);
-  };
-  const DrawResult counted = draw_once();
+  IntegerScene scene = flat_scene(text_of(name));
+  if (!with_bodies) scene.bodies.clear();
+  const JobResult job = job_of(scene);
+  std::vector<std::uint64_t> memory;
+  const DrawResult counted = draw_job(job, shader, memory);
   if (counted.status != DrawStatus::ok) state.SkipWithError("the core refuses the job");
-  for (auto _ : state) benchmark::DoNotOptimize(draw_once().status);
+  for (auto _ : state) benchmark::DoNotOptimize(draw_job(job, shader, memory).status);
   state.counters["dots"] = static_cast<double>(counted.counters.dots);
+}
+
+void from_text(benchmark::State& state, const std::string& name, Shader shader) {
+  const auto texts = text_of(name);
+  std::vector<std::uint64_t> memory;
+  DrawResult drawn;
+  for (auto _ : state) drawn = draw_job(job_of(flat_scene(texts)), shader, memory);
+  if (drawn.status != DrawStatus::ok) state.SkipWithError("the core refuses the job");
+  state.counters["dots"] = static_cast<double>(drawn.counters.dots);
+}
+
+double processor_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+bool has_at_most_two_quadrics(const IntegerBody& body) {
+  return std::count_if(body.half_spaces.begin(), body.half_spaces.end(),
+                       [](const IntegerHalfSpace& h) { return h.kind == HalfSpaceKind::quadric; }) <= 2;
+}
+
+void resolve_bodies(benchmark::State& state, const std::string& name) {
+  const IntegerScene scene = flat_scene(text_of(name));
+  IntegerScene alone = scene;
+  std::vector<double> times;
+  for (auto _ : state) {
+    for (const IntegerBody& body : scene.bodies) {
+      alone.bodies = {body};
+      const double start = processor_milliseconds();
+      benchmark::DoNotOptimize(resolve(alone).scene.cells.data());
+      if (has_at_most_two_quadrics(body)) times.push_back(processor_milliseconds() - start);
+    }
+  }
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  state.counters["median_ms"] = *middle;
 }
 
 BENCHMARK_CAPTURE(draw_page, clover_knot, "clover_knot", true, Shader::isqrt)->Unit(benchmark::kMillisecond);
@@ -74,6 +126,10 @@ BENCHMARK_CAPTURE(draw_page, clover_knot_jordan, "clover_knot", true, Shader::jo
 BENCHMARK_CAPTURE(draw_page, gear, "gear", true, Shader::isqrt)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(draw_page, gear_jordan, "gear", true, Shader::jordan)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(draw_page, empty, "gear", false, Shader::isqrt)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(from_text, clover_knot, "clover_knot", Shader::isqrt)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(from_text, gear, "gear", Shader::isqrt)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(resolve_bodies, clover_knot, "clover_knot")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(resolve_bodies, gear, "gear")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace halfspace
