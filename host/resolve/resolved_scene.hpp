@@ -13,6 +13,8 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace halfspace {
@@ -28,11 +30,43 @@ struct Curve {
 //   left, right  q0 > 0: the smaller or the larger root (equal for a double root).
 enum class Branch : std::uint8_t { single, left, right };
 
+// Where another quadric of the body changes sign on a sheet z = (-b + t sqrt(d)) / a: the value there is p + r sqrt(d) up to a positive
+// factor, p and d quadratic, r linear; t is taken into r.
+struct RadicalForm {
+  Curve p, r, d;
+};
+
+// The same on a sheet without z^2: a polynomial of fourth degree, coefficients of
+// x^4 x^3y x^2y^2 xy^3 y^4  x^3 x^2y xy^2 y^3  x^2 xy y^2  x y  1.
+struct QuarticForm {
+  std::array<mpz_class, 15> q;
+};
+
+// A line beside a curve: at + step (y - y0) on scan line y, in 2^-16 dots of the body's frame; y0 is its window's first line.
+struct Separator {
+  std::int64_t at = 0, step = 0;
+};
+
+// Lines on which the form of an arc changes its sign exactly once between two separators: at the arc's root. A dot at or left of
+// `left` is left of the root, one at or right of `right` is right of it. No separator: the scissor's edge.
+struct Window {
+  std::int32_t y0 = 0, y1 = -1;  // page scan lines, inclusive
+  std::optional<Separator> left, right;
+};
+
+// How to tell one root of a RadicalForm or QuarticForm from the others.
+struct Guide {
+  bool rising = true;           // the form is negative left of the root
+  bool missing_right = false;   // dots of a window with d < 0 lie right of the root, else left
+  std::vector<Window> windows;  // ascending, without gaps, all lines of the arc
+};
+
 struct Arc {
   std::uint32_t body = 0;
-  Curve curve;
-  Branch branch = Branch::single;
-  std::int32_t y0 = 0, y1 = -1;  // page scan lines, inclusive, on which the root exists and follows one branch
+  std::variant<Curve, RadicalForm, QuarticForm> form;
+  Branch branch = Branch::single;  // of a Curve
+  Guide guide;                     // of the other forms
+  std::int32_t y0 = 0, y1 = -1;    // page scan lines, inclusive, on which the root exists and follows one branch
 };
 
 // The sheet of a = 0 surfaces (planes; quadrics without z^2) is `only`; else front is the smaller z.
