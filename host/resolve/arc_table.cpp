@@ -33,7 +33,7 @@ void ArcTable::join_uses(std::uint32_t body, std::vector<Arc>& arcs) {
     }
     for (Run& run : joined) {
       run.arc = static_cast<std::uint32_t>(arcs.size());
-      arcs.push_back({body, curve_of(name), name.branch, run.y0, run.y1});
+      arcs.push_back({body, curve_of(name), name.branch, {}, run.y0, run.y1});
     }
     runs = std::move(joined);
   }

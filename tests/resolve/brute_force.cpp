@@ -55,8 +55,8 @@ mpz_class value(const Curve& k, const mpz_class& x, const mpz_class& y) {
 mpz_class slope(const Curve& k, const mpz_class& x, const mpz_class& y) { return 2 * k.q[0] * x + k.q[1] * y + k.q[3]; }
 
 bool at_or_right_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
-  const mpz_class v = value(arc.curve, x, y);
-  const mpz_class s = slope(arc.curve, x, y);
+  const mpz_class v = value(std::get<Curve>(arc.form), x, y);
+  const mpz_class s = slope(std::get<Curve>(arc.form), x, y);
   switch (arc.branch) {
     case Branch::single:
       return v >= 0;
@@ -69,8 +69,8 @@ bool at_or_right_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
 }
 
 bool at_or_left_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
-  const mpz_class v = value(arc.curve, x, y);
-  const mpz_class s = slope(arc.curve, x, y);
+  const mpz_class v = value(std::get<Curve>(arc.form), x, y);
+  const mpz_class s = slope(std::get<Curve>(arc.form), x, y);
   switch (arc.branch) {
     case Branch::single:
       return v <= 0;
@@ -83,7 +83,7 @@ bool at_or_left_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
 }
 
 bool arc_exists(const Arc& arc, const mpz_class& y) {
-  const auto& q = arc.curve.q;
+  const auto& q = std::get<Curve>(arc.form).q;
   const mpz_class linear = q[1] * y + q[3];
   if (arc.branch == Branch::single) return q[0] == 0 && linear > 0;
   const mpz_class constant = q[2] * y * y + q[4] * y + q[5];
