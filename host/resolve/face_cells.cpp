@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host/resolve/critical_marks.hpp"
 #include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/row_intervals.hpp"
 
@@ -10,10 +11,8 @@ namespace {
 
 // The curves of a half-space's sheets and their names in the body.
 struct FaceCurves {
-  std::vector<Curve> curves;
+  std::vector<TracedCurve> curves;
   std::vector<std::uint32_t> names;
-  std::vector<Curve> rivals;  // exit_sheets.hpp
-  std::vector<bool> is_rival;
   std::uint32_t pole = no_arc;
   std::optional<DotRange> range;
 };
@@ -26,17 +25,11 @@ FaceCurves face_curves(const Sheets& sheets, const Extent& extent, ArcTable& arc
   if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
   // Within the extent alone is an untraced constraint known to keep its sign, so cells must not reach across its sides.
   if (has_untraced_constraint(sheets)) {
-    face.range =
-        DotRange{rational_root(static_cast<long>(extent.x0), 1), rational_root(static_cast<long>(extent.x1), 1)};
-    append_factors(vertical_line(extent.x0), face.curves);
-    append_factors(vertical_line(extent.x1), face.curves);
+    face.range = DotRange{RowPoint(static_cast<double>(extent.x0)), RowPoint(static_cast<double>(extent.x1))};
+    trace(vertical_line(extent.x0), std::nullopt, false, face.curves);
+    trace(vertical_line(extent.x1), std::nullopt, false, face.curves);
   }
-  face.rivals = rival_curves(sheets);
-  for (const Curve& curve : face.curves) {
-    face.names.push_back(arcs.curve_index(curve));
-    face.is_rival.push_back(
-        std::any_of(face.rivals.begin(), face.rivals.end(), [&](const Curve& r) { return r.q == curve.q; }));
-  }
+  for (const TracedCurve& traced : face.curves) face.names.push_back(arcs.curve_index(traced.curve));
   return face;
 }
 
@@ -67,13 +60,13 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
   named.x0 = extent.x0;
   named.x1 = extent.x1;
   if (interval.left != unbounded) {
-    const LineRoot& x = roots[static_cast<std::size_t>(interval.left)].x;
+    const LineRoot& x = roots[static_cast<std::size_t>(interval.left)].x.exact();
     const mpz_class first = interval.left_open ? mpz_class(floor_of(x) + 1) : ceiling_of(x);
     if (first > static_cast<long>(extent.x1)) named.x1 = extent.x0 - 1;
     named.x0 = clamped(first, extent);
   }
   if (interval.right != unbounded) {
-    const LineRoot& x = roots[static_cast<std::size_t>(interval.right)].x;
+    const LineRoot& x = roots[static_cast<std::size_t>(interval.right)].x.exact();
     const mpz_class last = interval.right_open ? mpz_class(ceiling_of(x) - 1) : floor_of(x);
     if (last < static_cast<long>(extent.x0)) {
       named.x1 = extent.x0 - 1;
@@ -84,7 +77,8 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
 }
 
 std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::vector<RowRoot>& roots,
-                                           const std::vector<RowInterval>& intervals, const Extent& extent) {
+                                           const std::vector<RowInterval>& intervals, bool in_dots,
+                                           const Extent& extent) {
   std::vector<NamedInterval> named;
   for (const RowInterval& interval : intervals) {
     NamedInterval next;
@@ -94,7 +88,7 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::ve
     };
     next.left = names(interval.left, interval.left_open, true);
     next.right = names(interval.right, interval.right_open, false);
-    set_dots(interval, roots, extent, next);
+    if (in_dots) set_dots(interval, roots, extent, next);
     named.push_back(std::move(next));
   }
   return named;
@@ -116,12 +110,13 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
     hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
   }
   std::vector<CellBuilder> builders(faces.size());
-  for (const ScanRow& row : scan_rows(face.curves, extent.y0, extent.y1)) {
+  const std::vector<Mark> marks = critical_marks(face.curves, presences, extent.y0, extent.y1);
+  for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
     const std::vector<RowRoot> roots = roots_on_line(face.curves, row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       auto intervals = row_intervals(roots, row.y0, presences[i], face.pole, face.range);
-      if (hidden[i]) intervals = rival_points(face.rivals, face.is_rival, roots, row.y0, intervals);
-      builders[i].add(row, named_intervals(face, roots, intervals, extent));
+      if (hidden[i]) intervals = rival_points(face.curves, roots, row.y0, intervals);
+      builders[i].add(row, named_intervals(face, roots, intervals, row.singular, extent));
     }
   }
   for (std::size_t i = 0; i < faces.size(); ++i) {

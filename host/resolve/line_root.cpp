@@ -1,8 +1,5 @@
 #include "host/resolve/line_root.hpp"
 
-#include <cmath>
-#include <optional>
-
 namespace halfspace {
 namespace {
 
@@ -38,17 +35,6 @@ LineRoot make_root(mpz_class p, mpz_class e, mpz_class r, int sigma) {
   if (sigma < 0) numerator = numerator - square_root(enclosure(e, 2 * scale));
   const Interval near = numerator / enclosure(r, scale);
   return {std::move(p), std::move(e), std::move(r), sigma, near};
-}
-
-// An integer well inside (a, b), in the sense of the enclosures, or the midpoint of a wide enough gap.
-std::optional<double> quick_between(const LineRoot& a, const LineRoot& b) {
-  constexpr double largest = 0x1p40;  // doubles here carry at least 12 bits after the point
-  if (!(a.near.high > -largest && b.near.low < largest)) return std::nullopt;
-  const double integer = std::floor(a.near.high) + 1;
-  if (integer < b.near.low) return integer;
-  const double middle = std::round((a.near.high + b.near.low) / 2 * 0x1p10) * 0x1p-10;
-  if (a.near.high < middle && middle < b.near.low) return middle;
-  return std::nullopt;
 }
 
 }  // namespace
@@ -103,7 +89,6 @@ LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator)
 }
 
 LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
-  if (const auto x = quick_between(a, b)) return rational_root(mpz_class(*x * 0x1p10), 1 << 10);
   for (unsigned shift = 0;; shift += 4) {  // ends: the floors part once 2^shift (b - a) >= 2
     const mpz_class low = scaled_floor(a, shift);
     const mpz_class high = scaled_floor(b, shift);

@@ -37,7 +37,7 @@ struct LinePolynomial {
 
 [[nodiscard]] LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator);
 
-// A rational strictly between a and b, with a < b. Where possible an integer, so that values there stay small.
+// A rational strictly between a and b, with a < b.
 [[nodiscard]] LineRoot rational_between(const LineRoot& a, const LineRoot& b);
 
 // u + v sqrt(e): a number of the field of one point, whose e it does not carry.

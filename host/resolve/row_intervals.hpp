@@ -21,7 +21,7 @@ struct RowInterval {
 };
 
 struct DotRange {
-  LineRoot first, last;
+  RowPoint first, last;
 };
 
 // `pole`: the index of the curve on which a rational sheet does not exist, or no_arc. With a range, whose ends are then among the

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/resolve/line_root.hpp"
-#include "host/resolve/resolved_scene.hpp"
 #include "host/resolve/root_marks.hpp"
+#include "host/resolve/row_point.hpp"
+#include "host/resolve/traced_curve.hpp"
 
 namespace halfspace {
 
@@ -28,8 +28,8 @@ struct ScanRow {
   bool singular = false;  // then y0 = y1
 };
 
-// No two of the curves have a common component.
-[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Curve>& curves, std::int64_t y0, std::int64_t y1);
+// Marks are sorted, none twice.
+[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1);
 
 // A curve through a root: Branch::single means the curve with the sign that makes its x coefficient positive on this line.
 struct CurveBranch {
@@ -40,11 +40,11 @@ struct CurveBranch {
 
 // One point of a scan line with every curve that passes through it.
 struct RowRoot {
-  LineRoot x;
+  RowPoint x;
   std::vector<CurveBranch> curves;
 };
 
-// Ascending, distinct.
-[[nodiscard]] std::vector<RowRoot> roots_on_line(const std::vector<Curve>& curves, std::int64_t y);
+// Ascending, distinct. Points keep pointers to the curves.
+[[nodiscard]] std::vector<RowRoot> roots_on_line(const std::vector<TracedCurve>& curves, std::int64_t y);
 
 }  // namespace halfspace

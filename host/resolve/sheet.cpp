@@ -78,6 +78,13 @@ Curve section(const Surface& quadric, const Surface& plane) {
          slope * slope * quadric.c;
 }
 
+// P and R of the plane on two sheets, up to a factor.
+std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane) {
+  if (sheets.shape != SheetShape::two_sheets) return std::nullopt;
+  const mpz_class& slope = plane.b.q[5];
+  return Section{2 * sheets.surface.a * plane.c - slope * sheets.surface.b, slope};
+}
+
 // On a curved sheet: which plane, if any, settles the constraint's sign?
 void set_plane(const IntegerHalfSpace& own, const IntegerHalfSpace& other, Constraint& k) {
   if (!is_curved(other)) {
@@ -142,15 +149,16 @@ bool has_zero_constraint(const Sheets& sheets) {
   });
 }
 
-std::vector<Curve> bounding_curves(const Sheets& sheets) {
-  std::vector<Curve> curves;
-  if (sheets.shape == SheetShape::two_sheets) append_factors(sheets.d, curves);
-  if (sheets.shape == SheetShape::rational) append_factors(sheets.surface.b, curves);
+std::vector<TracedCurve> bounding_curves(const Sheets& sheets) {
+  std::vector<TracedCurve> curves;
+  if (sheets.shape == SheetShape::two_sheets) trace(sheets.d, Section{Curve{}, 1}, false, curves);
+  if (sheets.shape == SheetShape::rational) trace(sheets.surface.b, std::nullopt, false, curves);
   for (const Constraint& k : sheets.constraints) {
+    const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
-      append_factors(k.p, curves);
+      trace(k.p, std::nullopt, later, curves);
     } else if (k.plane) {
-      append_factors(section(sheets.surface, *k.plane), curves);
+      trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
     }
   }
   return curves;

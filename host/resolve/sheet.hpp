@@ -17,6 +17,7 @@
 
 #include "host/flatten/integer_scene.hpp"
 #include "host/resolve/curve_algebra.hpp"
+#include "host/resolve/traced_curve.hpp"
 
 namespace halfspace {
 
@@ -59,7 +60,7 @@ struct Sheets {
 // Is the value of some traced constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
 [[nodiscard]] bool has_zero_constraint(const Sheets& sheets);
 
-// The curves on which the sheets appear or a constraint may change sign, untraced constraints left out.
-[[nodiscard]] std::vector<Curve> bounding_curves(const Sheets& sheets);
+// The curves on which the sheets appear or a constraint may change sign, untraced constraints left out. A pole comes first.
+[[nodiscard]] std::vector<TracedCurve> bounding_curves(const Sheets& sheets);
 
 }  // namespace halfspace

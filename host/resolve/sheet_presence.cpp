@@ -1,15 +1,25 @@
 #include "host/resolve/sheet_presence.hpp"
 
 namespace halfspace {
+namespace {
 
-bool SheetPresence::shows_at(const LineRoot& x, std::int64_t y) const {
-  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
-  if (-largest < x.near.low && x.near.high < largest) {
+// Keeps every product in the enclosures finite.
+bool is_small(const Interval& x) { return -0x1p40 < x.low && x.high < 0x1p40; }
+
+}  // namespace
+
+bool SheetPresence::shows_at(const RowPoint& x, std::int64_t y) const {
+  if (is_small(x.near())) {
     const auto line = static_cast<double>(y);
-    const Verdict verdict = enclosed_.shows_over({x.near.low, line, x.near.high, line});
+    const Verdict verdict = enclosed_.shows_over({x.near().low, line, x.near().high, line});
     if (verdict != Verdict::unsure) return verdict == Verdict::everywhere;
   }
-  return shows_exactly(LinePoint(x), static_cast<long>(y));
+  return shows_exactly(LinePoint(x.exact()), static_cast<long>(y));
+}
+
+bool SheetPresence::may_show(const IntervalPoint& point) const {
+  if (!is_small(point.x) || !is_small(point.y)) return true;
+  return enclosed_.shows_over({point.x.low, point.y.low, point.x.high, point.y.high}) != Verdict::nowhere;
 }
 
 bool SheetPresence::shows_exactly(const LinePoint& x, const mpz_class& y) const {
