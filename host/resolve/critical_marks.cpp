@@ -35,6 +35,12 @@ class Search {
     }
   }
 
+  void add_turns(const TracedQuartic& p) {
+    for (const Polynomial& turns : turning_lines(p.curve)) add_all(turns);
+  }
+
+  void add_meeting(const QuarticForm& p, const QuarticForm& q) { add_all(meeting_lines(p, q)); }
+
   std::vector<Mark> take() {
     std::sort(marks_.begin(), marks_.end());
     marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
@@ -105,7 +111,7 @@ class Search {
 
   [[nodiscard]] bool may_show(const IntervalPoint& point) const {
     if (point.y.high < static_cast<double>(y0_) || point.y.low > static_cast<double>(y1_)) return false;
-    return std::any_of(sheets_.begin(), sheets_.end(),
+    return sheets_.empty() || std::any_of(sheets_.begin(), sheets_.end(),
                        [&point](const SheetPresence& sheet) { return sheet.may_show(point); });
   }
 
@@ -116,12 +122,19 @@ class Search {
 
 }  // namespace
 
-std::vector<Mark> critical_marks(const std::vector<TracedCurve>& curves, const std::vector<SheetPresence>& sheets,
+std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
                                  std::int64_t y0, std::int64_t y1) {
+  const std::vector<TracedCurve>& curves = bounds.curves;
+  const std::vector<TracedQuartic>& quartics = bounds.quartics;
   Search search(sheets, y0, y1);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     search.add_turns(curves[i]);
     for (std::size_t j = 0; j < i; ++j) search.add_meeting(curves[i], curves[j]);
+  }
+  for (std::size_t i = 0; i < quartics.size(); ++i) {
+    search.add_turns(quartics[i]);
+    for (const TracedCurve& curve : curves) search.add_meeting(quartics[i].curve, as_quartic(curve.curve));
+    for (std::size_t j = 0; j < i; ++j) search.add_meeting(quartics[i].curve, quartics[j].curve);
   }
   return search.take();
 }

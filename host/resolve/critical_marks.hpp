@@ -9,13 +9,12 @@
 
 #include "host/resolve/root_marks.hpp"
 #include "host/resolve/sheet_presence.hpp"
-#include "host/resolve/traced_curve.hpp"
 
 namespace halfspace {
 
-// `sheets`: those whose outlines the curves are. Sorted, none twice, for lines y0 .. y1.
-[[nodiscard]] std::vector<Mark> critical_marks(const std::vector<TracedCurve>& curves,
-                                               const std::vector<SheetPresence>& sheets, std::int64_t y0,
-                                               std::int64_t y1);
+// `sheets`: those whose outlines the curves are; none: every point counts, on a face or not. What befalls a quartic counts
+// everywhere, since its roots are known by their number on a sheet (scan_rows.hpp). Sorted, none twice, for lines y0 .. y1.
+[[nodiscard]] std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
+                                               std::int64_t y0, std::int64_t y1);
 
 }  // namespace halfspace

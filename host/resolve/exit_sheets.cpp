@@ -39,19 +39,23 @@ HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets) {
   return {!positive, positive};
 }
 
-std::vector<RowInterval> rival_points(const std::vector<TracedCurve>& curves, const std::vector<RowRoot>& roots,
+std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet, const std::vector<RowRoot>& roots,
                                       std::int64_t y, const std::vector<RowInterval>& intervals) {
   const auto holds = [y](const TracedCurve& traced) { return traced.later && holds_line(traced.curve, y); };
-  if (std::any_of(curves.begin(), curves.end(), holds)) return intervals;
+  if (std::any_of(bounds.curves.begin(), bounds.curves.end(), holds)) return intervals;
+  const auto is_rival = [&](const RowRoot& root) {
+    return std::any_of(root.curves.begin(), root.curves.end(),
+                       [&](const CurveBranch& b) { return bounds.curves[b.curve].later; }) ||
+           std::any_of(root.quartics.begin(), root.quartics.end(), [&](const QuarticBranch& b) {
+             return b.sheet == sheet && sheets.constraints[b.constraint].half_space > sheets.half_space;
+           });
+  };
   std::vector<RowInterval> points;
   for (const RowInterval& interval : intervals) {
     const int first = interval.left == unbounded ? 0 : interval.left;
     const int last = interval.right == unbounded ? static_cast<int>(roots.size()) - 1 : interval.right;
     for (int i = first; i <= last; ++i) {
-      const std::vector<CurveBranch>& through = roots[static_cast<std::size_t>(i)].curves;
-      if (std::any_of(through.begin(), through.end(), [&](const CurveBranch& b) { return curves[b.curve].later; })) {
-        points.push_back({i, i, false, false});
-      }
+      if (is_rival(roots[static_cast<std::size_t>(i)])) points.push_back({i, i, false, false});
     }
   }
   return points;

@@ -1,14 +1,9 @@
 #include "host/resolve/row_intervals.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace halfspace {
 namespace {
-
-bool within(const RowPoint& x, const std::optional<DotRange>& range) {
-  return !range || (compare(x, range->first) >= 0 && compare(x, range->last) <= 0);
-}
 
 // A point of the open cell left of root i.
 RowPoint sample(const std::vector<RowRoot>& roots, std::size_t i) {
@@ -25,16 +20,14 @@ bool passes_through(const RowRoot& root, std::uint32_t curve) {
 
 // Cell 0, root 0, cell 1, ... cell n: does each show?
 std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
-                               std::uint32_t pole, const std::optional<DotRange>& range) {
+                               std::uint32_t pole) {
   std::vector<bool> shown(2 * roots.size() + 1);
   for (std::size_t i = 0; i <= roots.size(); ++i) {
-    const RowPoint x = sample(roots, i);
-    shown[2 * i] = within(x, range) && presence.shows_at(x, y);
+    shown[2 * i] = presence.shows_at(sample(roots, i), y);
   }
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (passes_through(roots[i], pole)) continue;
-    const RowPoint& x = roots[i].x;
-    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || (within(x, range) && presence.shows_at(x, y));
+    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || presence.shows_at(roots[i].x, y);
   }
   return shown;
 }
@@ -42,8 +35,8 @@ std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y
 }  // namespace
 
 std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
-                                       std::uint32_t pole, const std::optional<DotRange>& range) {
-  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole, range);
+                                       std::uint32_t pole) {
+  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole);
   std::vector<RowInterval> intervals;
   const int pieces = static_cast<int>(shown.size());
   for (int first = 0; first < pieces; ++first) {

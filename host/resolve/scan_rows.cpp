@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "host/resolve/sheet_form.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -14,7 +16,7 @@ int sign_of_slope(const Curve& curve, std::int64_t y) {
 // The roots of one curve, ascending, each under the names of its branches.
 std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t index, std::int64_t y) {
   std::vector<RowRoot> named;
-  for (RowPoint& x : roots_on_row(traced.curve, traced.enclosed, y)) named.push_back({std::move(x), {}});
+  for (RowPoint& x : roots_on_row(traced.curve, traced.enclosed, y)) named.push_back({std::move(x), {}, {}});
   if (named.empty()) return named;
   if (sgn(traced.curve.q[0]) == 0) {
     named.front().curves = {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
@@ -27,12 +29,33 @@ std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t ind
   return named;
 }
 
+// The roots of one quartic, ascending, each under its names on the sheets where it is a root of a constraint.
+std::vector<RowRoot> roots_of_quartic(const Sheets& sheets, const TracedQuartic& traced, std::uint32_t index,
+                                      std::int64_t y) {
+  std::vector<RowRoot> named;
+  for (LineRoot& x : real_roots(restricted(traced.curve, static_cast<long>(y)))) {
+    named.push_back({RowPoint(std::move(x)), {}, {}});
+  }
+  if (named.empty()) return named;
+  for (const std::uint32_t constraint : traced.constraints) {
+    const ValueOnLine value(sheets, sheets.constraints[constraint], static_cast<long>(y));
+    for (const Sheet sheet : sheets_in(sheets)) {
+      std::uint32_t rank = 0;
+      for (RowRoot& root : named) {
+        if (value.vanishes(sheet, root.x.exact())) root.quartics.push_back({index, constraint, sheet, rank++});
+      }
+    }
+  }
+  return named;
+}
+
 void insert_root(RowRoot&& root, std::vector<RowRoot>& roots) {
   auto at = roots.begin();
   int order = -1;
   while (at != roots.end() && (order = compare(root.x, at->x)) > 0) ++at;
   if (at != roots.end() && order == 0) {
     at->curves.insert(at->curves.end(), root.curves.begin(), root.curves.end());
+    at->quartics.insert(at->quartics.end(), root.quartics.begin(), root.quartics.end());
   } else {
     roots.insert(at, std::move(root));
   }
@@ -60,10 +83,13 @@ std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, 
   return rows;
 }
 
-std::vector<RowRoot> roots_on_line(const std::vector<TracedCurve>& curves, std::int64_t y) {
+std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y) {
   std::vector<RowRoot> roots;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
-    for (RowRoot& root : roots_of_curve(curves[i], i, y)) insert_root(std::move(root), roots);
+  for (std::uint32_t i = 0; i < bounds.curves.size(); ++i) {
+    for (RowRoot& root : roots_of_curve(bounds.curves[i], i, y)) insert_root(std::move(root), roots);
+  }
+  for (std::uint32_t i = 0; i < bounds.quartics.size(); ++i) {
+    for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y)) insert_root(std::move(root), roots);
   }
   return roots;
 }

@@ -14,7 +14,7 @@
 
 #include "host/resolve/root_marks.hpp"
 #include "host/resolve/row_point.hpp"
-#include "host/resolve/traced_curve.hpp"
+#include "host/resolve/sheet.hpp"
 
 namespace halfspace {
 
@@ -38,13 +38,21 @@ struct CurveBranch {
   bool negated = false;
 };
 
+// A quartic through a root: of the roots at which one constraint is 0 on one sheet it is the `rank`th on this line.
+struct QuarticBranch {
+  std::uint32_t quartic = 0, constraint = 0;  // indices
+  Sheet sheet = Sheet::only;
+  std::uint32_t rank = 0;
+};
+
 // One point of a scan line with every curve that passes through it.
 struct RowRoot {
   RowPoint x;
   std::vector<CurveBranch> curves;
+  std::vector<QuarticBranch> quartics;
 };
 
 // Ascending, distinct. Points keep pointers to the curves.
-[[nodiscard]] std::vector<RowRoot> roots_on_line(const std::vector<TracedCurve>& curves, std::int64_t y);
+[[nodiscard]] std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y);
 
 }  // namespace halfspace

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "host/resolve/pencil.hpp"
-
 namespace halfspace {
 namespace {
 
@@ -85,15 +83,45 @@ std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane)
   return Section{2 * sheets.surface.a * plane.c - slope * sheets.surface.b, slope};
 }
 
-// On a curved sheet: which plane, if any, settles the constraint's sign?
-void set_plane(const IntegerHalfSpace& own, const IntegerHalfSpace& other, Constraint& k) {
-  if (!is_curved(other)) {
-    k.plane = k.surface;
-    return;
+// On a curved sheet.
+void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Constraint& other) {
+  const Surface& own = sheets.surface;
+  const Surface& k = other.surface;
+  if (!is_curved(half_space)) {
+    other.plane = k;
+  } else if (sheets.shape == SheetShape::two_sheets) {
+    other.n = product(other.p, other.p) - product(product_of_lines(other.r, other.r), sheets.d);
+  } else {
+    other.n = k.a * product(own.c, own.c) - product(product_of_lines(k.b, own.b), own.c) +
+              product(product_of_lines(own.b, own.b), k.c);
   }
-  const auto sign = constant_sign(own, other);
-  k.untraced = !sign;
-  if (sign && sign->touching) k.plane = surface_of(*sign->touching);
+}
+
+bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
+
+void add_quartic(const QuarticForm& curve, std::uint32_t constraint, std::vector<TracedQuartic>& quartics) {
+  const auto known = std::find_if(quartics.begin(), quartics.end(),
+                                  [&curve](const TracedQuartic& traced) { return traced.curve.q == curve.q; });
+  if (known != quartics.end()) {
+    known->constraints.push_back(constraint);
+  } else {
+    quartics.push_back({curve, {constraint}});
+  }
+}
+
+// The curves of a quadric on a quadric's sheets. n vanishes throughout where both hold a plane: then P^2 = R^2 d, and the value
+// P + R sqrt(d) changes sign on P = 0 at most.
+void trace_meeting(const Sheets& sheets, std::uint32_t index, BoundingCurves& bounds) {
+  const Constraint& k = sheets.constraints[index];
+  const bool later = k.half_space > sheets.half_space;
+  if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
+  const PlaneFactors parts = factors(k.n);
+  std::optional<Section> section;
+  if (is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
+  for (const Curve& part : parts.curves) {
+    trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
+  }
+  for (const QuarticForm& part : parts.quartics) add_quartic(part, index, bounds.quartics);
 }
 
 }  // namespace
@@ -128,40 +156,45 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
-    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}};
+    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}, {}};
     if (same_surface(sheets.surface, other.surface)) continue;
     set_form(sheets, other);
-    if (sheets.curved) set_plane(own, body.half_spaces[k], other);
+    if (sheets.curved) set_meeting(sheets, body.half_spaces[k], other);
     sheets.constraints.push_back(std::move(other));
   }
   return sheets;
 }
 
-bool has_untraced_constraint(const Sheets& sheets) {
-  return std::any_of(sheets.constraints.begin(), sheets.constraints.end(),
-                     [](const Constraint& k) { return k.untraced; });
+std::vector<Sheet> sheets_in(const Sheets& sheets) {
+  if (sheets.shape == SheetShape::none) return {};
+  if (sheets.shape == SheetShape::two_sheets) return {Sheet::front, Sheet::back};
+  return {Sheet::only};
 }
 
 bool has_zero_constraint(const Sheets& sheets) {
   return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
     if (!sheets.curved) return is_zero(k.p);
-    return k.plane && is_zero(section(sheets.surface, *k.plane));
+    return k.plane ? is_zero(section(sheets.surface, *k.plane)) : is_zero(k.n);
   });
 }
 
-std::vector<TracedCurve> bounding_curves(const Sheets& sheets) {
-  std::vector<TracedCurve> curves;
+BoundingCurves bounding_curves(const Sheets& sheets) {
+  BoundingCurves bounds;
+  std::vector<TracedCurve>& curves = bounds.curves;
   if (sheets.shape == SheetShape::two_sheets) trace(sheets.d, Section{Curve{}, 1}, false, curves);
   if (sheets.shape == SheetShape::rational) trace(sheets.surface.b, std::nullopt, false, curves);
-  for (const Constraint& k : sheets.constraints) {
+  for (std::uint32_t i = 0; i < sheets.constraints.size(); ++i) {
+    const Constraint& k = sheets.constraints[i];
     const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
       trace(k.p, std::nullopt, later, curves);
     } else if (k.plane) {
       trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
+    } else {
+      trace_meeting(sheets, i, bounds);
     }
   }
-  return curves;
+  return bounds;
 }
 
 }  // namespace halfspace

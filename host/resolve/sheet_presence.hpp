@@ -21,10 +21,7 @@ class SheetPresence {
   [[nodiscard]] bool may_show(const IntervalPoint& point) const;
 
  private:
-  [[nodiscard]] bool shows_exactly(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_two_sheets(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_flat(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_rational(const LinePoint& x, const mpz_class& y) const;
+  [[nodiscard]] bool shows_exactly(const LineRoot& x, const mpz_class& y) const;
 
   const Sheets& sheets_;
   Sheet sheet_;

@@ -1,0 +1,121 @@
+#include "host/resolve/approximate_roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+using Doubles = std::vector<double>;
+
+double value_at(const Doubles& f, double x) {
+  double value = 0;
+  for (std::size_t i = f.size(); i-- > 0;) value = value * x + f[i];
+  return value;
+}
+
+Doubles slope_of(const Doubles& f) {
+  Doubles d;
+  for (std::size_t i = 1; i < f.size(); ++i) d.push_back(f[i] * static_cast<double>(i));
+  return d;
+}
+
+// A sign change in [low, high], by Newton's steps that are kept inside the halves.
+double bracketed_root(const Doubles& f, const Doubles& slope, double low, double high) {
+  constexpr int most_steps = 200;
+  const bool rising = value_at(f, low) < 0;
+  double x = low + (high - low) / 2;
+  for (int step = 0; step < most_steps; ++step) {
+    const double value = value_at(f, x);
+    if (value == 0) return x;
+    ((value < 0) == rising ? low : high) = x;
+    double next = x - value / value_at(slope, x);
+    if (!(next > low && next < high) || step % 4 == 3) next = low + (high - low) / 2;
+    if (std::abs(next - x) <= std::abs(x) * 0x1p-52 || next == low || next == high) return next;
+    x = next;
+  }
+  return x;
+}
+
+// Guesses at the real roots within +-bound: between two extrema a polynomial is monotone.
+Doubles guesses(const Doubles& f, double bound) {
+  if (f.size() < 2) return {};
+  const Doubles slope = slope_of(f);
+  Doubles ends = guesses(slope, bound);
+  ends.insert(ends.begin(), -bound);
+  ends.push_back(bound);
+  Doubles roots;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if ((value_at(f, ends[i - 1]) < 0) != (value_at(f, ends[i]) < 0)) {
+      roots.push_back(bracketed_root(f, slope, ends[i - 1], ends[i]));
+    }
+  }
+  return roots;
+}
+
+double cauchy_bound(const Doubles& f) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < f.size(); ++i) most = std::max(most, std::abs(f[i] / f.back()));
+  return 1 + most;
+}
+
+Interval value_at(const std::vector<Interval>& f, double x) {
+  Interval value{};
+  for (std::size_t i = f.size(); i-- > 0;) value = value * Interval{x, x} + f[i];
+  return value;
+}
+
+bool changes_sign(const std::vector<Interval>& f, const Interval& x) {
+  const Interval low = value_at(f, x.low);
+  const Interval high = value_at(f, x.high);
+  return (low.positive() && high.negative()) || (low.negative() && high.positive());
+}
+
+}  // namespace
+
+int count_of_real_roots(const Polynomial& f) {
+  const mpz_class& a = f[f.size() - 1];
+  const mpz_class& b = f[f.size() - 2];
+  const mpz_class& c = f[f.size() - 3];
+  const mpz_class& d = f[f.size() - 4];
+  if (f.size() == 4) {
+    const mpz_class discriminant = b * c * (18 * a * d + b * c) - 4 * (b * b * b * d + a * c * c * c) - 27 * a * a * d * d;
+    return sgn(discriminant) == 0 ? -1 : sgn(discriminant) > 0 ? 3 : 1;
+  }
+  const mpz_class& e = f[0];
+  const mpz_class bb = b * b;
+  const mpz_class ac = a * c;
+  const mpz_class i = 12 * a * e - 3 * b * d + c * c;
+  const mpz_class j = 72 * ac * e + 9 * b * c * d - 27 * (a * d * d + bb * e) - 2 * c * c * c;
+  const int discriminant = cmp(4 * i * i * i, j * j);
+  if (discriminant <= 0) return discriminant == 0 ? -1 : 2;
+  const bool all_real = sgn(mpz_class(8 * ac - 3 * bb)) < 0 &&
+                        sgn(mpz_class(64 * a * a * a * e - 16 * ac * ac + 16 * bb * ac - 16 * a * a * b * d - 3 * bb * bb)) < 0;
+  return all_real ? 4 : 0;
+}
+
+std::vector<Interval> certain_sign_changes(const Polynomial& f) {
+  std::size_t bits = 0;
+  for (const mpz_class& c : f) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  std::vector<Interval> enclosed;
+  Doubles rounded;
+  for (const mpz_class& c : f) {
+    enclosed.push_back(enclosure(c, static_cast<long>(bits)));
+    rounded.push_back((enclosed.back().low + enclosed.back().high) / 2);
+  }
+  const double bound = cauchy_bound(rounded);
+  if (!(bound < 0x1p60)) return {};  // keeps every product in the enclosures finite
+  std::vector<Interval> found;
+  for (const double x : guesses(rounded, bound)) {
+    for (double radius = std::abs(x) * 0x1p-48 + 0x1p-60; radius < 0x1p-6; radius *= 64) {
+      const Interval near{x - radius, x + radius};
+      if (!found.empty() && !(found.back().high < near.low)) break;
+      if (!changes_sign(enclosed, near)) continue;
+      found.push_back(near);
+      break;
+    }
+  }
+  return found;
+}
+
+}  // namespace halfspace
