@@ -117,7 +117,7 @@ void trace_meeting(const Sheets& sheets, std::uint32_t index, BoundingCurves& bo
   if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
   const PlaneFactors parts = factors(k.n);
   std::optional<Section> section;
-  if (is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
+  if (sheets.shape == SheetShape::two_sheets && is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
   for (const Curve& part : parts.curves) {
     trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
   }
