@@ -1,22 +1,29 @@
 #include "host/resolve/approximate_roots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halfspace {
 namespace {
 
-using Doubles = std::vector<double>;
+// Up to degree four.
+struct Doubles {
+  std::array<double, 5> c{};
+  std::size_t count = 0;
+
+  void push_back(double value) { c[count++] = value; }
+};
 
 double value_at(const Doubles& f, double x) {
   double value = 0;
-  for (std::size_t i = f.size(); i-- > 0;) value = value * x + f[i];
+  for (std::size_t i = f.count; i-- > 0;) value = value * x + f.c[i];
   return value;
 }
 
 Doubles slope_of(const Doubles& f) {
   Doubles d;
-  for (std::size_t i = 1; i < f.size(); ++i) d.push_back(f[i] * static_cast<double>(i));
+  for (std::size_t i = 1; i < f.count; ++i) d.push_back(f.c[i] * static_cast<double>(i));
   return d;
 }
 
@@ -37,25 +44,34 @@ double bracketed_root(const Doubles& f, const Doubles& slope, double low, double
   return x;
 }
 
+Doubles guesses_of_second_order(const Doubles& f) {
+  const double d = f.c[1] * f.c[1] - 4 * f.c[2] * f.c[0];
+  if (d < 0) return {};
+  const double far = -(f.c[1] + std::copysign(std::sqrt(d), f.c[1])) / 2;
+  if (far == 0) return {};
+  const double x = far / f.c[2];
+  const double y = f.c[0] / far;
+  return {{std::min(x, y), std::max(x, y)}, 2};
+}
+
 // Guesses at the real roots within +-bound: between two extrema a polynomial is monotone.
 Doubles guesses(const Doubles& f, double bound) {
-  if (f.size() < 2) return {};
+  if (f.count == 3) return guesses_of_second_order(f);
   const Doubles slope = slope_of(f);
-  Doubles ends = guesses(slope, bound);
-  ends.insert(ends.begin(), -bound);
-  ends.push_back(bound);
+  const Doubles turns = guesses(slope, bound);
   Doubles roots;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if ((value_at(f, ends[i - 1]) < 0) != (value_at(f, ends[i]) < 0)) {
-      roots.push_back(bracketed_root(f, slope, ends[i - 1], ends[i]));
-    }
+  double low = -bound;
+  for (std::size_t i = 0; i <= turns.count; ++i) {
+    const double high = i < turns.count ? turns.c[i] : bound;
+    if ((value_at(f, low) < 0) != (value_at(f, high) < 0)) roots.push_back(bracketed_root(f, slope, low, high));
+    low = high;
   }
   return roots;
 }
 
 double cauchy_bound(const Doubles& f) {
   double most = 0;
-  for (std::size_t i = 0; i + 1 < f.size(); ++i) most = std::max(most, std::abs(f[i] / f.back()));
+  for (std::size_t i = 0; i + 1 < f.count; ++i) most = std::max(most, std::abs(f.c[i] / f.c[f.count - 1]));
   return 1 + most;
 }
 
@@ -106,7 +122,9 @@ std::vector<Interval> certain_sign_changes(const Polynomial& f) {
   const double bound = cauchy_bound(rounded);
   if (!(bound < 0x1p60)) return {};  // keeps every product in the enclosures finite
   std::vector<Interval> found;
-  for (const double x : guesses(rounded, bound)) {
+  const Doubles near_roots = guesses(rounded, bound);
+  for (std::size_t i = 0; i < near_roots.count; ++i) {
+    const double x = near_roots.c[i];
     for (double radius = std::abs(x) * 0x1p-48 + 0x1p-60; radius < 0x1p-6; radius *= 64) {
       const Interval near{x - radius, x + radius};
       if (!found.empty() && !(found.back().high < near.low)) break;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "host/resolve/critical_marks.hpp"
@@ -23,12 +22,11 @@ struct ProvedWindow {
 // Windows for one root of a form.
 class Windows {
  public:
-  Windows(const FormOnSheet& form, int rank) : form_(form), rank_(rank) {}
+  Windows(const FormOnSheet& form, int rank, KnownLines& lines) : form_(form), rank_(rank), lines_(lines) {}
 
   // On the lines y0 .. y1 of a row of the form.
   void add_row(bool singular, std::int64_t y0, std::int64_t y1) {
     if (singular) return add_single(y0);
-    lines_.clear();
     const bool rising = is_rising(y0);
     std::int64_t length = y1 - y0 + 1;
     for (std::int64_t y = y0; y <= y1;) {
@@ -44,21 +42,21 @@ class Windows {
 
  private:
   struct Line {
-    std::vector<Obstacle> obstacles;
-    std::size_t root = 0;
+    const std::vector<Obstacle>& obstacles;
+    std::size_t root;
   };
 
-  const Line& line(std::int64_t y) {
-    const auto known = lines_.find(y);
-    if (known != lines_.end()) return known->second;
-    Line next{obstacles_on_line(form_, y), 0};
-    while (next.obstacles[next.root].rank != rank_) ++next.root;
-    return lines_.emplace(y, std::move(next)).first->second;
+  Line line(std::int64_t y) {
+    const auto [at, is_new] = lines_.try_emplace(y);
+    if (is_new) at->second = obstacles_on_line(form_, y);
+    std::size_t root = 0;
+    while (at->second[root].rank != rank_) ++root;
+    return {at->second, root};
   }
 
   // The dots beside the root: no dot between them but one that is the root.
   void add_single(std::int64_t y) {
-    const Line& at = line(y);
+    const Line at = line(y);
     const LineRoot& x = at.obstacles[at.root].x;
     const auto row = static_cast<std::int32_t>(y);
     windows_.push_back({{row, row, dot_separator(ceiling_of(x) - 1), dot_separator(floor_of(x) + 1)}, {}, {}});
@@ -66,7 +64,7 @@ class Windows {
 
   // Is the form negative just left of the root?
   bool is_rising(std::int64_t y) {
-    const Line& at = line(y);
+    const Line at = line(y);
     const LineRoot& x = at.obstacles[at.root].x;
     const LineRoot beside = at.root == 0 ? rational_root(floor_of(x) - 1, 1)
                                          : rational_between(at.obstacles[at.root - 1].x, x);
@@ -76,7 +74,7 @@ class Windows {
 
   // Beyond the limb that is counted as missing nothing is asked; at the other side's limb a separator comes first.
   bool add_window(std::int64_t y0, std::int64_t y1, bool rising) {
-    const Line& first = line(y0);
+    const Line first = line(y0);
     const bool left = first.root > 0 && first.obstacles[first.root - 1].limb;
     const bool right = first.root + 1 < first.obstacles.size() && first.obstacles[first.root + 1].limb;
     if (!left && !right) return add_window(y0, y1, rising, std::nullopt);
@@ -95,15 +93,15 @@ class Windows {
 
   // The separator on one side (-1 left, 1 right), if one is needed; false if none was found.
   bool separate(std::int64_t y0, std::int64_t y1, int side, bool missing, std::optional<Separator>& found) {
-    const std::size_t root = line(y0).root;
-    const auto exists = [&](std::size_t steps) {
-      return side < 0 ? root >= steps : root + steps < line(y0).obstacles.size();
+    const Line first = line(y0);
+    const auto exists = [&first, side](std::size_t steps) {
+      return side < 0 ? first.root >= steps : first.root + steps < first.obstacles.size();
     };
     const std::size_t near = missing ? 1 : 0;  // obstacles between the root and the separator: the limb, or none
     if (!exists(near + 1)) return true;
     Channel channel;
     for (const std::int64_t y : {y0, y0 + (y1 - y0) / 2, y1}) {
-      const Line& here = line(y);
+      const Line here = line(y);
       const LineRoot& inner = here.obstacles[moved(here.root, side, near)].x;
       const LineRoot& outer = here.obstacles[moved(here.root, side, near + 1)].x;
       channel.add(y, side < 0 ? outer : inner, side < 0 ? inner : outer);
@@ -138,7 +136,7 @@ class Windows {
 
   const FormOnSheet& form_;
   int rank_;
-  std::map<std::int64_t, Line> lines_;
+  KnownLines& lines_;
   std::vector<ProvedWindow> windows_;
 };
 
@@ -173,23 +171,23 @@ std::variant<Curve, RadicalForm, QuarticForm> form_of(const FormOnSheet& form) {
   return RadicalForm{k.p, (form.sheet == Sheet::front ? -1 : 1) * k.r, form.sheets->d};
 }
 
-std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent) {
+std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent, QuarticTable& table) {
   BoundingCurves bounds;
   bounds.quartics.push_back({form.part, {form.constraint}});
   if (form.has_limb()) {
     trace(form.sheets->d, std::nullopt, false, bounds.curves);
     for (const Curve& other : form.others) trace(other, std::nullopt, false, bounds.curves);
   }
-  return scan_rows(critical_marks(bounds, {}, extent.y0, extent.y1), extent.y0, extent.y1);
+  return scan_rows(critical_marks(bounds, {}, table, extent.y0, extent.y1), extent.y0, extent.y1);
 }
 
 }  // namespace
 
-ArcGuide::ArcGuide(FormOnSheet form, const Extent& extent)
-    : form_on_sheet_(std::move(form)), form_(form_of(form_on_sheet_)), rows_(rows_of(form_on_sheet_, extent)) {}
+ArcGuide::ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table)
+    : form_on_sheet_(std::move(form)), form_(form_of(form_on_sheet_)), rows_(rows_of(form_on_sheet_, extent, table)) {}
 
-std::vector<GuidedRun> ArcGuide::runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) const {
-  Windows windows(form_on_sheet_, static_cast<int>(rank));
+std::vector<GuidedRun> ArcGuide::runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) {
+  Windows windows(form_on_sheet_, static_cast<int>(rank), lines_);
   for (const ScanRow& row : rows_) {
     const std::int64_t first = std::max(y0, row.y0);
     const std::int64_t last = std::min(y1, row.y1);

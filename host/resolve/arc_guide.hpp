@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <variant>
 #include <vector>
 
@@ -25,21 +26,25 @@ struct GuidedRun {
   Guide guide;
 };
 
+// The obstacles of lines that were looked at.
+using KnownLines = std::map<std::int64_t, std::vector<Obstacle>>;
+
 // The roots of one constraint of degree three or four on one sheet.
 class ArcGuide {
  public:
   // Keeps a pointer to the form's sheets.
-  ArcGuide(FormOnSheet form, const Extent& extent);
+  ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table);
 
   [[nodiscard]] const std::variant<Curve, RadicalForm, QuarticForm>& form() const { return form_; }
 
   // Runs that together are the lines y0 .. y1, on each of which the root of this rank exists.
-  [[nodiscard]] std::vector<GuidedRun> runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) const;
+  [[nodiscard]] std::vector<GuidedRun> runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1);
 
  private:
   FormOnSheet form_on_sheet_;
   std::variant<Curve, RadicalForm, QuarticForm> form_;
   std::vector<ScanRow> rows_;  // of this form alone
+  KnownLines lines_;
 };
 
 }  // namespace halfspace

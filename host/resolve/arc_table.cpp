@@ -25,7 +25,8 @@ void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
   if (name.curve != no_arc) runs_[name].push_back({y0, y1, no_arc});
 }
 
-void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs) {
+void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table,
+                         std::vector<Arc>& arcs) {
   std::map<std::uint32_t, ArcGuide> guides;
   for (auto& [name, runs] : runs_) {
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.y0 < b.y0; });
@@ -39,7 +40,7 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<A
     }
     runs.clear();
     for (const Run& run : joined) {
-      for (Arc& arc : arcs_of(name, run, guides, extent)) {
+      for (Arc& arc : arcs_of(name, run, guides, extent, table)) {
         runs.push_back({arc.y0, arc.y1, static_cast<std::uint32_t>(arcs.size())});
         arc.body = body;
         arcs.push_back(std::move(arc));
@@ -49,9 +50,9 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<A
 }
 
 std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
-                                   const Extent& extent) const {
+                                   const Extent& extent, QuarticTable& table) const {
   if (!name.guided) return {{0, curve_of(name), name.branch, {}, run.y0, run.y1}};
-  const ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent).first->second;
+  ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent, table).first->second;
   const auto page_line = [this](std::int64_t y) { return static_cast<std::int32_t>(y + origin_y_); };
   std::vector<Arc> arcs;
   for (GuidedRun& part : guide.runs(name.rank, run.y0 - origin_y_, run.y1 - origin_y_)) {

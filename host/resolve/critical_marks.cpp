@@ -35,11 +35,7 @@ class Search {
     }
   }
 
-  void add_turns(const TracedQuartic& p) {
-    for (const Polynomial& turns : turning_lines(p.curve)) add_all(turns);
-  }
-
-  void add_meeting(const QuarticForm& p, const QuarticForm& q) { add_all(meeting_lines(p, q)); }
+  void add(const std::vector<Mark>& marks) { marks_.insert(marks_.end(), marks.begin(), marks.end()); }
 
   std::vector<Mark> take() {
     std::sort(marks_.begin(), marks_.end());
@@ -48,10 +44,7 @@ class Search {
   }
 
  private:
-  void add_all(const Polynomial& p) {
-    const std::vector<Mark> found = root_marks(p, y0_, y1_);
-    marks_.insert(marks_.end(), found.begin(), found.end());
-  }
+  void add_all(const Polynomial& p) { add(root_marks(p, y0_, y1_)); }
 
   // Where the line meets the curve; `polynomial` has its roots there and is asked for when intervals are not enough.
   template <typename MakePolynomial>
@@ -123,7 +116,7 @@ class Search {
 }  // namespace
 
 std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
-                                 std::int64_t y0, std::int64_t y1) {
+                                 QuarticTable& table, std::int64_t y0, std::int64_t y1) {
   const std::vector<TracedCurve>& curves = bounds.curves;
   const std::vector<TracedQuartic>& quartics = bounds.quartics;
   Search search(sheets, y0, y1);
@@ -132,9 +125,10 @@ std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector
     for (std::size_t j = 0; j < i; ++j) search.add_meeting(curves[i], curves[j]);
   }
   for (std::size_t i = 0; i < quartics.size(); ++i) {
-    search.add_turns(quartics[i]);
-    for (const TracedCurve& curve : curves) search.add_meeting(quartics[i].curve, as_quartic(curve.curve));
-    for (std::size_t j = 0; j < i; ++j) search.add_meeting(quartics[i].curve, quartics[j].curve);
+    const QuarticForm& quartic = quartics[i].curve;
+    search.add(table.turns(quartic));
+    for (const TracedCurve& other : curves) search.add(table.meetings(quartic, as_quartic(other.curve)));
+    for (std::size_t j = 0; j < i; ++j) search.add(table.meetings(quartic, quartics[j].curve));
   }
   return search.take();
 }

@@ -23,23 +23,23 @@ std::array<std::uint32_t, 3> key_of(std::uint32_t quartic, std::uint32_t constra
   return {quartic, constraint, static_cast<std::uint32_t>(sheet)};
 }
 
-void name_quartic(const Sheets& sheets, std::uint32_t quartic, std::uint32_t constraint, FaceCurves& face,
-                  ArcTable& arcs) {
+void name_quartic(const Sheets& sheets, std::uint32_t quartic, std::uint32_t constraint, QuarticTable& table,
+                  FaceCurves& face, ArcTable& arcs) {
   const QuarticForm& part = face.bounds.quartics[quartic].curve;
-  const std::vector<Curve> others = factors(sheets.constraints[constraint].n).curves;
+  const std::vector<Curve> others = table.factors_of(sheets.constraints[constraint].n).curves;
   for (const Sheet sheet : sheets_in(sheets)) {
     ArcName name{arcs.add_guide({&sheets, constraint, sheet, part, others}), Branch::single, false, 0, true, 0};
     face.guided.emplace(key_of(quartic, constraint, sheet), name);
   }
 }
 
-FaceCurves face_curves(const Sheets& sheets, ArcTable& arcs) {
+FaceCurves face_curves(const Sheets& sheets, QuarticTable& table, ArcTable& arcs) {
   FaceCurves face;
-  face.bounds = bounding_curves(sheets);
+  face.bounds = bounding_curves(sheets, table);
   if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
   for (const TracedCurve& traced : face.bounds.curves) face.names.push_back(arcs.curve_index(traced.curve));
   for (std::uint32_t i = 0; i < face.bounds.quartics.size(); ++i) {
-    for (const std::uint32_t k : face.bounds.quartics[i].constraints) name_quartic(sheets, i, k, face, arcs);
+    for (const std::uint32_t k : face.bounds.quartics[i].constraints) name_quartic(sheets, i, k, table, face, arcs);
   }
   return face;
 }
@@ -113,9 +113,9 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, Sheet sheet, 
 }  // namespace
 
 std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
-                                  ArcTable& arcs) {
+                                  QuarticTable& table, ArcTable& arcs) {
   if (sheets.shape == SheetShape::none) return {};
-  const FaceCurves face = face_curves(sheets, arcs);
+  const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<FaceCells> faces;
   std::vector<SheetPresence> presences;
   std::vector<bool> hidden;
@@ -125,7 +125,7 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
     hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
   }
   std::vector<CellBuilder> builders(faces.size());
-  const std::vector<Mark> marks = critical_marks(face.bounds, presences, extent.y0, extent.y1);
+  const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
     const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -18,6 +18,6 @@ struct FaceCells {
 
 // Front before back. Of sheets that rays only leave by, what can win a tie (exit_sheets.hpp).
 [[nodiscard]] std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
-                                                ArcTable& arcs);
+                                                QuarticTable& table, ArcTable& arcs);
 
 }  // namespace halfspace

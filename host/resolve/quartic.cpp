@@ -66,15 +66,6 @@ class PlanePolynomial {
   fmpz_mpoly_t p_;
 };
 
-void make_canonical(QuarticForm& p) {
-  mpz_class divisor = 0;
-  for (const mpz_class& c : p.q) divisor = gcd(divisor, c);
-  const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
-  if (leading == p.q.end()) return;
-  if (sgn(*leading) < 0) divisor = -divisor;
-  for (mpz_class& c : p.q) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
-}
-
 std::size_t degree_of(const QuarticForm& p) {
   for (std::size_t n = 4; n > 0; --n) {
     for (std::size_t j = 0; j <= n; ++j) {
@@ -174,6 +165,15 @@ Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& ste
     scale *= denominator;
   }
   return sum;
+}
+
+void make_canonical(QuarticForm& p) {
+  mpz_class divisor = 0;
+  for (const mpz_class& c : p.q) divisor = gcd(divisor, c);
+  const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  if (leading == p.q.end()) return;
+  if (sgn(*leading) < 0) divisor = -divisor;
+  for (mpz_class& c : p.q) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
 }
 
 PlaneFactors factors(const QuarticForm& p) {

@@ -27,6 +27,9 @@ static_assert(quartic_index(4, 0) == 0 && quartic_index(0, 4) == 4 && quartic_in
 
 [[nodiscard]] bool is_zero(const QuarticForm& p);
 
+// Divides by the content and makes the first coefficient that is not 0 positive.
+void make_canonical(QuarticForm& p);
+
 // On the scan line y, in powers of x.
 [[nodiscard]] Polynomial restricted(const QuarticForm& p, const mpz_class& y);
 
@@ -34,7 +37,7 @@ static_assert(quartic_index(4, 0) == 0 && quartic_index(0, 4) == 4 && quartic_in
 [[nodiscard]] Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step,
                                const mpz_class& denominator, const mpz_class& start);
 
-// Factors irreducible over the rationals, each once: primitive, the first coefficient positive.
+// Factors irreducible over the rationals, each once, canonical.
 struct PlaneFactors {
   std::vector<Curve> curves;          // of degree one and two
   std::vector<QuarticForm> quartics;  // of degree three and four

@@ -65,13 +65,14 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
   const bool hide = !all_faces && rays_start_outside(body);
   const std::vector<Sheets> opaque = opaque_sheets(body);
   ArcTable arcs(body.origin[1]);
+  QuarticTable table(extent.y0, extent.y1);
   std::vector<ResolvedHalfSpace> resolved;
   for (const Sheets& sheets : opaque) {
     const HiddenExits exits = hide ? hidden_exits(body, sheets) : HiddenExits{};
-    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, arcs)});
+    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, table, arcs)});
     for (const FaceCells& face : resolved.back().faces) use_arcs(body, face, arcs);
   }
-  arcs.join_uses(index, extent, resolved_scene.arcs);
+  arcs.join_uses(index, extent, table, resolved_scene.arcs);
   for (const ResolvedHalfSpace& half_space : resolved) {
     for (const FaceCells& face : half_space.faces) {
       if (face.cells.empty() && face.spans.empty()) continue;

@@ -111,11 +111,11 @@ void add_quartic(const QuarticForm& curve, std::uint32_t constraint, std::vector
 
 // The curves of a quadric on a quadric's sheets. n vanishes throughout where both hold a plane: then P^2 = R^2 d, and the value
 // P + R sqrt(d) changes sign on P = 0 at most.
-void trace_meeting(const Sheets& sheets, std::uint32_t index, BoundingCurves& bounds) {
+void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& table, BoundingCurves& bounds) {
   const Constraint& k = sheets.constraints[index];
   const bool later = k.half_space > sheets.half_space;
   if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
-  const PlaneFactors parts = factors(k.n);
+  const PlaneFactors& parts = table.factors_of(k.n);
   std::optional<Section> section;
   if (sheets.shape == SheetShape::two_sheets && is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
   for (const Curve& part : parts.curves) {
@@ -178,7 +178,7 @@ bool has_zero_constraint(const Sheets& sheets) {
   });
 }
 
-BoundingCurves bounding_curves(const Sheets& sheets) {
+BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
   BoundingCurves bounds;
   std::vector<TracedCurve>& curves = bounds.curves;
   if (sheets.shape == SheetShape::two_sheets) trace(sheets.d, Section{Curve{}, 1}, false, curves);
@@ -191,7 +191,7 @@ BoundingCurves bounding_curves(const Sheets& sheets) {
     } else if (k.plane) {
       trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
     } else {
-      trace_meeting(sheets, i, bounds);
+      trace_meeting(sheets, i, table, bounds);
     }
   }
   return bounds;

@@ -18,7 +18,7 @@
 
 #include "host/flatten/integer_scene.hpp"
 #include "host/resolve/curve_algebra.hpp"
-#include "host/resolve/quartic.hpp"
+#include "host/resolve/quartic_table.hpp"
 #include "host/resolve/traced_curve.hpp"
 
 namespace halfspace {
@@ -72,6 +72,6 @@ struct BoundingCurves {
   std::vector<TracedCurve> curves;
   std::vector<TracedQuartic> quartics;
 };
-[[nodiscard]] BoundingCurves bounding_curves(const Sheets& sheets);
+[[nodiscard]] BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table);
 
 }  // namespace halfspace
