@@ -53,6 +53,7 @@ struct GuidedArc {
   std::int16_t x_min = 0, x_end = 0;  // x_end = scissor.x1 + 1: "no dot of the line"
   bool rising = false, missing_right = false;
 
+  // Sets every member.
   void load(JobReader& in, const ArcStart& start) {
     const std::int32_t flags = in.number_in(0, 3);
     rising = (flags & 1) != 0;
@@ -105,12 +106,8 @@ struct GuidedArc {
 template <class Form>
 constexpr ArcModule guided_module{
     .bytes = static_cast<std::int32_t>(sizeof(GuidedArc<Form>)),
-    .load =
-        [](JobReader& in, const ArcStart& start, void* state) {
-          auto& arc = *static_cast<GuidedArc<Form>*>(state);
-          arc = {};
-          arc.load(in, start);
-        },
+    .load = [](JobReader& in, const ArcStart& start,
+               void* state) { static_cast<GuidedArc<Form>*>(state)->load(in, start); },
     .step_down = [](void* state) { static_cast<GuidedArc<Form>*>(state)->step_down(); },
     .settle = [](void* state) { return static_cast<GuidedArc<Form>*>(state)->settle(); },
     .enter_window =

@@ -11,11 +11,10 @@ struct Quartic {
 
   // Coefficients come highest degree first; the registers want the constant first.
   void load(JobReader& in, std::int32_t x, std::int32_t y) {
-    std::array<Wide<Bits>, 15> q;
     for (int n = 4; n >= 0; --n) {
-      for (int j = 0; j <= n; ++j) q[form.first(n) + j] = in.wide<Bits>();
+      for (int j = 0; j <= n; ++j) form.at[form.first(n) + j] = in.wide<Bits>();
     }
-    form = form.load(q, x, y);
+    form.begin(x, y);
   }
   [[nodiscard]] int sign(int) const { return form.r().sign(); }
   void step_x() { form.step_x(); }

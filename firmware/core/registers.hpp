@@ -86,21 +86,15 @@ struct FourthOrder {
   static constexpr int first(int order) { return order * (order + 1) / 2; }
   [[nodiscard]] constexpr const Int& r() const { return at[0]; }
 
-  // The coefficients of x^(n-j) y^j, kept in the same places, as a walk's state at (px, py): |px|, |py| <= 2^17.
-  static constexpr FourthOrder load(const std::array<Int, 15>& q, std::int32_t px, std::int32_t py) {
-    // The k-th difference of x^e at 0: the ways to hand e things to k people, none left out.
-    constexpr std::int32_t difference[5][5] = {{1}, {0, 1}, {0, 1, 2}, {0, 1, 6, 6}, {0, 1, 14, 36, 24}};
-    FourthOrder s{};
-    for_each_register([&](int i, int j) {
-      for_each_register([&](int a, int b) {
-        s.at[first(i + j) + j] += q[first(a + b) + b].times(difference[a][i] * difference[b][j]);
-      });
-    });
-    s.jump_x(px / 2);
-    s.jump_x(px - px / 2);
-    s.jump_y(py / 2);
-    s.jump_y(py - py / 2);
-    return s;
+  // From the coefficients of x^(n-j) y^j, kept in the same places, to a walk's state at (px, py): |px|, |py| <= 2^17. In place: a
+  // controller's stack need not hold them twice.
+  constexpr void begin(std::int32_t px, std::int32_t py) {
+    take_differences(0);
+    take_differences(1);
+    jump_x(px / 2);
+    jump_x(px - px / 2);
+    jump_y(py / 2);
+    jump_y(py - py / 2);
   }
   constexpr void step_x() {
     for (int n = 0, k = 0; n < 4; ++n) {
@@ -123,10 +117,15 @@ struct FourthOrder {
   friend constexpr bool operator==(const FourthOrder&, const FourthOrder&) = default;
 
  private:
-  template <class Visit>
-  static constexpr void for_each_register(Visit visit) {
-    for (int n = 0; n <= 4; ++n) {
-      for (int j = 0; j <= n; ++j) visit(n - j, j);
+  // Of powers of x, or of y, at 0: x^e has the k-th difference `of[e][k]`, the ways to hand e things to k people, none left out.
+  constexpr void take_differences(int in_y) {
+    constexpr std::int32_t of[5][5] = {{1}, {0, 1}, {0, 1, 2}, {0, 1, 6, 6}, {0, 1, 14, 36, 24}};
+    for (int order = 0, k = 0; order <= 4; ++order) {
+      for (int j = 0; j <= order; ++j, ++k) {
+        const int power = in_y != 0 ? j : order - j;
+        at[k] = at[k].times(of[power][power]);
+        for (int s = 1; s <= 4 - order; ++s) at[k] += at[first(order + s) + j + s * in_y].times(of[power + s][power]);
+      }
     }
   }
   constexpr void jump(std::int64_t n, int in_y) {
@@ -159,15 +158,20 @@ static_assert([] {
 static_assert([] {
   using Registers = FourthOrder<Wide<64>>;
   const std::array<Wide<64>, 15> q{17, 11, -13, 3, -5, 7, 2, -4, 6, -8, 1, -9, 10, 12, -3};
-  auto walk = Registers::load(q, 0, 0);
+  const auto begin = [&q](std::int32_t x, std::int32_t y) {
+    Registers s{q};
+    s.begin(x, y);
+    return s;
+  };
+  auto walk = begin(0, 0);
   for (int i = 0; i < 4; ++i) walk.step_x();
   for (int i = 0; i < 2; ++i) walk.step_y();
   walk.back_x();
-  auto jump = Registers::load(q, -5, 7);
+  auto jump = begin(-5, 7);
   jump.jump_x(8);
   jump.jump_y(-5);
   // at (3, 2):   17  33 - 26  27 - 30 + 28  54 - 72 + 72 - 64  81 - 486 + 360 + 288 - 48
-  return walk == Registers::load(q, 3, 2) && jump == walk && walk.r() == Wide<64>(17 + 7 + 25 - 10 + 195);
+  return walk == begin(3, 2) && jump == walk && walk.r() == Wide<64>(17 + 7 + 25 - 10 + 195);
 }());
 
 }  // namespace halfspace
