@@ -28,24 +28,33 @@ mpz_class value_at(const Curve& c, long x, long y) {
   return (q[0] * x + q[1] * y + q[3]) * x + (q[2] * y + q[4]) * y + q[5];
 }
 
-int sign_at(const RadicalForm& form, long x, long y, int missing) {
-  const mpz_class p = value_at(form.p, x, y);
-  const mpz_class r = value_at(form.r, x, y);
-  const mpz_class d = value_at(form.d, x, y);
-  if (d < 0) return missing;
-  return sgn(mpz_class(sgn(p) * p * p + sgn(r) * r * r * d));  // x -> x |x| keeps the order of p and -r sqrt(d)
+// The form's signs on line y, local, for dots x0, x0 + 1, ...; `missing` where it has none.
+void fill_signs(const RadicalForm& form, long x0, long y, int missing, std::span<int> signs) {
+  for (int& sign : signs) {
+    const mpz_class p = value_at(form.p, x0, y);
+    const mpz_class r = value_at(form.r, x0, y);
+    const mpz_class d = value_at(form.d, x0, y);
+    // v -> v |v| keeps the order of p and -r sqrt(d).
+    sign = d < 0 ? missing : sgn(mpz_class(sgn(p) * p * p + sgn(r) * r * r * d));
+    ++x0;
+  }
 }
 
-int sign_at(const QuarticForm& form, long x, long y, int) {
-  mpz_class sum;
+void fill_signs(const QuarticForm& form, long x0, long y, int, std::span<int> signs) {
+  std::array<mpz_class, 5> line;  // its coefficients of 1, x .. x^4
   for (int degree = 4, k = 0; degree >= 0; --degree) {
+    mpz_class y_power = 1;
     for (int j = 0; j <= degree; ++j, ++k) {
-      mpz_class term = form.q[static_cast<std::size_t>(k)];
-      for (int i = 0; i < degree; ++i) term *= i < j ? y : x;
-      sum += term;
+      line[static_cast<std::size_t>(degree - j)] += form.q[static_cast<std::size_t>(k)] * y_power;
+      y_power *= y;
     }
   }
-  return sgn(sum);
+  for (int& sign : signs) {
+    mpz_class value;
+    for (std::size_t i = 5; i-- > 0;) value = value * x0 + line[i];
+    sign = sgn(value);
+    ++x0;
+  }
 }
 
 struct Setting {
@@ -59,11 +68,11 @@ std::array<int, x_end> sides_of(const Setting& s, std::int32_t y) {
   std::array<int, x_end> sides{};
   const int right = s.rising ? 1 : -1;
   const int missing = s.missing_right ? right : -right;
-  for (std::int32_t x = x_min; x <= x_max; ++x) {
-    sides[static_cast<std::size_t>(x)] =
-        right *
-        std::visit([&](const auto& form) { return sign_at(form, x - s.origin_x, y - s.origin_y, missing); }, s.form);
-  }
+  const auto fill = [&](const auto& form) {
+    fill_signs(form, x_min - s.origin_x, y - s.origin_y, missing, std::span(sides).subspan(x_min));
+  };
+  std::visit(fill, s.form);
+  for (int& side : sides) side *= right;
   return sides;
 }
 
@@ -321,7 +330,7 @@ Setting place(const Form& form, Dice& dice) {
           dice() % 2 == 0, dice() % 2 == 0};
 }
 
-constexpr int trials = 400;
+constexpr int trials = 300;
 
 TEST(GuidedArc, RadicalsOfEveryWidth) {
   Dice dice(70);
