@@ -66,7 +66,7 @@ struct ConicArc {
   ArcBranch branch;
 
   void load(JobReader& in, const ArcStart& start) {
-    branch = start.branch;
+    branch = static_cast<ArcBranch>(in.number_in(0, 2));
     std::array<Int, 6> q;
     for (Int& c : q) c = read_coefficient<Int>(in);
     if (!holds(q, start)) return in.fail();
@@ -124,25 +124,22 @@ ArcCrossing settle(Arc& arc) {
 }
 
 template <class Arc>
-ArcCrossing load(JobReader& in, const ArcStart& start, void* state) {
+void load(JobReader& in, const ArcStart& start, void* state) {
   Arc& arc = *static_cast<Arc*>(state);
   arc = Arc{};
   arc.load(in, start);
-  if (in.failed()) return {};
   arc.at = {static_cast<std::int16_t>(start.x), static_cast<std::int16_t>(start.x_min),
             static_cast<std::int16_t>(start.x_max + 1)};
-  return settle(arc);
 }
 
 template <class Arc>
-ArcCrossing next_line(void* state) {
-  Arc& arc = *static_cast<Arc*>(state);
-  arc.form.step_y();
-  return settle(arc);
-}
-
-template <class Arc>
-constexpr ArcModule module_of{static_cast<std::int32_t>(sizeof(Arc)), &load<Arc>, &next_line<Arc>};
+constexpr ArcModule module_of{
+    .bytes = static_cast<std::int32_t>(sizeof(Arc)),
+    .load = &load<Arc>,
+    .step_down = [](void* state) { static_cast<Arc*>(state)->form.step_y(); },
+    .settle = [](void* state) { return settle(*static_cast<Arc*>(state)); },
+    .enter_window = nullptr,
+};
 
 }  // namespace
 

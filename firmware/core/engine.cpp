@@ -105,6 +105,7 @@ class Engine {
       painter_.begin(y);
       advance(y);
       read_records(y);
+      if (result_.status == DrawStatus::ok) settle_arcs();
       if (result_.status == DrawStatus::ok) sweep(y);
       if (result_.status == DrawStatus::ok && !options_.measure) put_row(y);
     }
@@ -121,7 +122,7 @@ class Engine {
   void next_record() {
     const std::uint8_t type = in_.byte();
     type_ = static_cast<Record>(type);
-    if (type > static_cast<std::uint8_t>(Record::span)) fail(DrawStatus::bad_record);
+    if (type > static_cast<std::uint8_t>(Record::window)) fail(DrawStatus::bad_record);
     if (type_ != Record::end) enter_ += in_.number_in(0, h_.page.height);
     if (in_.failed()) fail(DrawStatus::bad_record);
   }
@@ -146,6 +147,9 @@ class Engine {
           break;
         case Record::span:
           read_span(y);
+          break;
+        case Record::window:
+          read_window(y);
           break;
         default: {
           const std::uint16_t face = slot(p_.faces.size());
@@ -179,7 +183,6 @@ class Engine {
     const std::uint16_t number = slot(p_.arcs.size());
     const std::int32_t kind = in_.number_in(0, arc_kinds - 1);
     ArcStart start;
-    start.branch = static_cast<ArcBranch>(in_.number_in(0, 2));
     start.origin_x = in_.number_in(-largest_origin, largest_origin);
     start.origin_y = in_.number_in(-largest_origin, largest_origin);
     const std::int16_t last = last_line(y);
@@ -191,8 +194,17 @@ class Engine {
     if (in_.failed() || p_.arcs[number].last >= y) return fail(DrawStatus::bad_record);
     const ArcModule* module = modules_.arcs[static_cast<std::size_t>(kind)];
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
-    p_.arcs[number] = {module, last, module->load(in_, start, state(number))};
+    module->load(in_, start, state(number));
+    p_.arcs[number] = {module, last, {}};
     p_.active_arcs[active_arc_count_++] = number;
+  }
+
+  void read_window(std::int32_t y) {
+    const std::uint16_t number = slot(p_.arcs.size());
+    if (in_.failed()) return;
+    const ArcSlot& arc = p_.arcs[number];
+    if (arc.last < y || arc.module->enter_window == nullptr) return fail(DrawStatus::bad_record);
+    arc.module->enter_window(in_, state(number));
   }
 
   void read_cell(std::int32_t y) {
@@ -237,7 +249,7 @@ class Engine {
       const std::uint16_t number = p_.active_arcs[i];
       ArcSlot& arc = p_.arcs[number];
       if (arc.last < y) continue;
-      arc.crossing = arc.module->next_line(state(number));
+      arc.module->step_down(state(number));
       p_.active_arcs[kept++] = number;
     }
     active_arc_count_ = kept;
@@ -247,6 +259,14 @@ class Engine {
       if (p_.cells[number].last >= y) p_.active_cells[kept++] = number;
     }
     active_cell_count_ = kept;
+  }
+
+  // After the line's records: an arc may have entered on it, or come to its next window.
+  void settle_arcs() {
+    for (std::size_t i = 0; i < active_arc_count_; ++i) {
+      const std::uint16_t number = p_.active_arcs[i];
+      p_.arcs[number].crossing = p_.arcs[number].module->settle(state(number));
+    }
   }
 
   // The dots of a cell on the current line: closed between its arcs.

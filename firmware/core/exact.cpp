@@ -1,5 +1,7 @@
 #include "firmware/core/exact.hpp"
 
+#include "firmware/core/radical_sign.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -62,14 +64,6 @@ struct Exact {
     return z;
   }
 
-  // sign(P + R sqrt(q)), q >= 0.
-  HALFSPACE_STAGE static int sign_of_radical(const Int& p, const Int& r, const Int& q) {
-    const int sp = p.sign();
-    const int sr = q.is_zero() ? 0 : r.sign();
-    if (sp == 0 || sr == 0 || sp == sr) return sp != 0 ? sp : sr;
-    return sp * (p * p - r * r * q).sign();
-  }
-
   // sign(A + B sqrt(q1) + C sqrt(q2)): the sign of the roots' sum S against A, then A^2 against S^2.
   HALFSPACE_STAGE static int sign_of_two_radicals(const Int& a, const Int& b, const Int& q1, const Int& c,
                                                   const Int& q2) {
@@ -82,7 +76,7 @@ struct Exact {
     if (sa == 0 || ss == 0 || sa == ss) return sa != 0 ? sa : ss;
     // A^2 - S^2 = A^2 - B^2 q1 - C^2 q2 - 2 B C sqrt(q1 q2)
     const Int bc = b * c;
-    return sa * sign_of_radical(a * a - b2q1 - c2q2, -(bc + bc), q1 * q2);
+    return sa * sign_of_radical<Bits>(a * a - b2q1 - c2q2, -(bc + bc), q1 * q2);
   }
 
   static std::int64_t local(std::int32_t page, std::int32_t origin) { return static_cast<std::int64_t>(page) - origin; }
@@ -146,7 +140,7 @@ struct Exact {
     Int r = scale2 * lit.light.u * lit.light.v;
     r -= t2 * lit.square.v;
     r += r;
-    return sign_of_radical(p, r, q);
+    return sign_of_radical<Bits>(p, r, q);
   }
 
   static int compare_depth(const ActiveFace& f, const ActiveFace& g, std::int32_t x, std::int32_t y) {
@@ -167,7 +161,7 @@ struct Exact {
     const std::int64_t ly = local(y, face.origin_y);
     const Depth z = depth_at(face, lx, ly);
     const LitNormal lit = lit_normal(face, lighting, lx, ly, z);
-    if (face.light_sign * sign_of_radical(lit.light.u, lit.light.v, z.q) <= 0) return false;
+    if (face.light_sign * sign_of_radical<Bits>(lit.light.u, lit.light.v, z.q) <= 0) return false;
     std::int64_t l2 = 0;
     for (const std::int64_t l : lighting.light) l2 += l * l;
     const std::int64_t scale = static_cast<std::int64_t>(levels - 1) * lighting.parallel;

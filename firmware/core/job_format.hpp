@@ -12,18 +12,36 @@
 
 namespace halfspace {
 
-inline constexpr std::array<std::uint8_t, 4> job_magic{'H', 'S', 'J', '1'};
+inline constexpr std::array<std::uint8_t, 4> job_magic{'H', 'S', 'J', '2'};
 
 // Every record starts with its type and the lines since the previous record's entry.
-enum class Record : std::uint8_t { end, plane_face, root_face, rational_face, arc, cell, span };
+enum class Record : std::uint8_t { end, plane_face, root_face, rational_face, arc, cell, span, window };
 
 // How an arc's crossing follows from the sign of its form, and the width of its registers.
-enum class ArcKind : std::uint8_t { line64, line128, line256, conic64, conic128, conic256 };
-inline constexpr int arc_kinds = 6;
+enum class ArcKind : std::uint8_t {
+  line64,
+  line128,
+  line256,
+  conic64,
+  conic128,
+  conic256,
+  radical128,
+  radical256,
+  radical384,
+  quartic128,
+  quartic256,
+  quartic384
+};
+inline constexpr int arc_kinds = 12;
 
 // Which root of the form an arc follows; see host/resolve/resolved_scene.hpp. A conic of first order in x is
 // `single`.
 enum class ArcBranch : std::uint8_t { single, left, right };
+
+// A separator (host/resolve/resolved_scene.hpp) in 2^-16 dot of the local frame, and its step a line: at most 2^47, so that
+// after a page's 2^15 lines it is still below 2^63.
+inline constexpr int separator_fraction = 16;
+inline constexpr std::int64_t largest_separator = std::int64_t{1} << 47;
 
 enum class Screen : std::uint8_t { clustered, bayer, blue_noise };
 enum class Shader : std::uint8_t { isqrt, jordan };

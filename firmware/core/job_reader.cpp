@@ -46,6 +46,13 @@ std::int32_t JobReader::number_in(std::int32_t low, std::int32_t high) {
   return static_cast<std::int32_t>(value);
 }
 
+std::int64_t JobReader::number_within(std::int64_t limit) {
+  const std::int64_t value = number();
+  if (value >= -limit && value <= limit) return value;
+  failed_ = true;
+  return 0;
+}
+
 namespace {
 
 constexpr std::int32_t max_side = 32767;

@@ -20,6 +20,8 @@ class JobReader {
   std::int64_t number();            // zigzag varint, at most 64 bits
   // number() where the value must lie in [low, high]; otherwise the job is malformed.
   std::int32_t number_in(std::int32_t low, std::int32_t high);
+  // number() where |value| <= limit.
+  std::int64_t number_within(std::int64_t limit);
 
   // A wide number; one that does not fit Bits is malformed.
   template <int Bits>

@@ -4,6 +4,8 @@
 
 #include <variant>
 
+#include "host/job/limits.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -23,13 +25,13 @@ struct Table {
 std::int64_t count(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 Table resolver_table(const Pipeline& p) {
-  std::int64_t planes = 0, quadrics = 0, lines = 0, conics = 0;
+  std::int64_t planes = 0, quadrics = 0, lines = 0, conics = 0, meetings = 0;
   for (const IntegerBody& body : p.scene.bodies) {
     for (const IntegerHalfSpace& h : body.half_spaces) ++(h.kind == HalfSpaceKind::plane ? planes : quadrics);
   }
   for (const Arc& arc : p.resolved.arcs) {
-    const auto& q = arc.curve.q;
-    ++(q[0] == 0 && q[1] == 0 && q[2] == 0 ? lines : conics);
+    const auto* curve = std::get_if<Curve>(&arc.form);
+    ++(curve == nullptr ? meetings : is_line(*curve) ? lines : conics);
   }
   return {"resolver",
           "Resolver (table 7.1)",
@@ -39,6 +41,7 @@ Table resolver_table(const Pipeline& p) {
            {"faces", "faces (sheets that can show)", count(p.resolved.faces.size())},
            {"linear_arcs", "linear arcs (show-edges)", lines},
            {"conic_arcs", "conic arcs (show-edges)", conics},
+           {"meeting_arcs", "arcs where two quadrics meet", meetings},
            {"cells", "cells of faces between two arcs", count(p.resolved.cells.size())},
            {"line_spans", "single-line cells at exact vertices", count(p.resolved.spans.size())},
            {"job_bytes", "bytes of the job", count(p.job.bytes.size())},

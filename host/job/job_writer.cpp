@@ -51,6 +51,7 @@ class JobWriter {
 
   JobResult run() {
     check_faces();
+    check_arcs();
     collect();
     const std::int32_t most =
         std::max({result_.header.needs.faces, result_.header.needs.arcs, result_.header.needs.cells});
@@ -70,12 +71,13 @@ class JobWriter {
   }
 
  private:
-  enum class Kind : std::uint8_t { face, arc, cell, span };
+  enum class Kind : std::uint8_t { face, arc, window, cell, span };
   struct Event {
     std::int32_t y;
     Kind kind;
     std::uint32_t item;
     std::uint32_t slot;
+    std::uint32_t window = 0;  // of the arc `item`
   };
 
   void limit(const SourcePosition& position, const std::string& text) {
@@ -83,6 +85,7 @@ class JobWriter {
   }
 
   void check_faces();
+  void check_arcs();
   void collect();
   void make_header();
   std::int32_t measure() const;
@@ -134,13 +137,22 @@ void JobWriter::check_faces() {
                       std::to_string(exact_1152.bits) + ": bring its bodies nearer to one size, and to the page");
   }
   result_.header.needs.exact_bits = exact_bits;
+}
+
+// Every arc gets its kind.
+void JobWriter::check_arcs() {
   kinds_.reserve(resolved_.arcs.size());
   for (const Arc& arc : resolved_.arcs) {
+    const IntegerBody& body = scene_.bodies[arc.body];
     const std::optional<ArcKind> kind = arc_kind(scene_, arc);
     if (!kind) {
-      const IntegerBody& body = scene_.bodies[arc.body];
+      const char* most = std::holds_alternative<Curve>(arc.form) ? "255" : "383";
+      limit(body.position, "an edge of body '" + body.name + "' needs more than " + most +
+                               " bits; draw it smaller or nearer to the page");
+    }
+    if (!separators_fit(arc)) {
       limit(body.position,
-            "an edge of body '" + body.name + "' needs more than 255 bits; draw it smaller or nearer to the page");
+            "an edge of body '" + body.name + "' lies more than 2^31 dots off; bring it nearer to the page");
     }
     kinds_.push_back(kind.value_or(ArcKind::line64));
   }
@@ -184,6 +196,10 @@ void JobWriter::collect() {
     arc_slot_[l.item] = l.slot;
     events_.push_back({l.y0, Kind::arc, l.item, l.slot});
     needs.arc_bytes = std::max(needs.arc_bytes, all_modules.arcs[static_cast<std::size_t>(kinds_[l.item])]->bytes);
+    const std::vector<Window>& windows = resolved_.arcs[l.item].guide.windows;
+    for (std::uint32_t i = 1; i < windows.size(); ++i) {  // the first is in the arc's record
+      events_.push_back({windows[i].y0, Kind::window, l.item, l.slot, i});
+    }
   }
   for (const Lifetime& l : cells) {
     const bool span = l.item >= cell_count;
@@ -272,39 +288,74 @@ void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delt
   for (int i = 0; i < (plane ? 4 : 10); ++i) out.wide(turn ? mpz_class(-h.c[i]) : h.c[i]);
 }
 
-// The dot at or left of which the arc crosses its first line, clamped to the scissor: where the core begins
-// to look.
-std::int64_t JobWriter::start_x(const Arc& arc) const {
-  const auto& origin = scene_.bodies[arc.body].origin;
-  const mpz_class y = static_cast<long>(arc.y0 - origin[1]);
-  const auto& q = arc.curve.q;
+// The dot at or left of which a conic or a line crosses scan line y, local.
+mpz_class root_near(const Curve& curve, Branch branch, std::int64_t line) {
+  const mpz_class y = static_cast<long>(line);
+  const auto& q = curve.q;
   const mpz_class b = q[1] * y + q[3];
   const mpz_class c = (q[2] * y + q[4]) * y + q[5];
-  mpz_class x;
-  if (arc.branch == Branch::single) {
-    x = b == 0 ? mpz_class(0) : mpz_class(-c / b);
-  } else {
-    const mpz_class root = sqrt(mpz_class(abs(b * b - 4 * q[0] * c)));
-    x = (arc.branch == Branch::left ? mpz_class(-b - root) : mpz_class(-b + root)) / (2 * q[0]);
-  }
-  x += mpz_class(static_cast<long>(origin[0]));
-  const mpz_class low = scene_.scissor.x0;
-  const mpz_class high = scene_.scissor.x1 + 1;
+  if (branch == Branch::single) return b == 0 ? mpz_class(0) : mpz_class(-c / b);
+  const mpz_class root = sqrt(mpz_class(abs(b * b - 4 * q[0] * c)));
+  return (branch == Branch::left ? mpz_class(-b - root) : mpz_class(-b + root)) / (2 * q[0]);
+}
+
+// A dot of the window's first line, local: its middle, or beside its only separator.
+mpz_class middle(const Window& window, std::int64_t otherwise) {
+  const auto dot = [](const Separator& s) { return mpz_class(static_cast<long>(s.at >> separator_fraction)); };
+  if (window.left && window.right) return (dot(*window.left) + dot(*window.right)) / 2;
+  return window.left ? dot(*window.left) : window.right ? dot(*window.right) : mpz_class(static_cast<long>(otherwise));
+}
+
+// Where the core begins to look for the arc on its first line: clamped to the scissor.
+std::int64_t JobWriter::start_x(const Arc& arc) const {
+  const auto& origin = scene_.bodies[arc.body].origin;
+  const Scissor& s = scene_.scissor;
+  const Curve* curve = std::get_if<Curve>(&arc.form);
+  const mpz_class local = curve != nullptr ? root_near(*curve, arc.branch, arc.y0 - origin[1])
+                                           : middle(arc.guide.windows.front(), (s.x0 + s.x1) / 2 - origin[0]);
+  const mpz_class x = local + static_cast<long>(origin[0]);
+  const mpz_class low = s.x0;
+  const mpz_class high = s.x1 + 1;
   return (x < low ? low : x > high ? high : x).get_si();
+}
+
+void write_separators(JobBytes& out, const Window& window) {
+  out.number((window.left ? 1 : 0) | (window.right ? 2 : 0));
+  for (const auto& separator : {window.left, window.right}) {
+    if (!separator) continue;
+    out.number(separator->at);
+    out.number(separator->step);
+  }
+}
+
+void write_form(JobBytes& out, const RadicalForm& form) {
+  for (const mpz_class& c : form.p.q) out.wide(c);
+  for (int i = 3; i < 6; ++i) out.wide(form.r.q[i]);
+  for (const mpz_class& c : form.d.q) out.wide(c);
+}
+
+void write_form(JobBytes& out, const QuarticForm& form) {
+  for (const mpz_class& c : form.q) out.wide(c);
 }
 
 void JobWriter::write_arc(JobBytes& out, const Event& event) const {
   const Arc& arc = resolved_.arcs[event.item];
-  const ArcKind kind = kinds_[event.item];
   out.number(event.slot);
-  out.number(static_cast<int>(kind));
-  out.number(static_cast<int>(arc.branch));
+  out.number(static_cast<int>(kinds_[event.item]));
   out.number(scene_.bodies[arc.body].origin[0]);
   out.number(scene_.bodies[arc.body].origin[1]);
   out.number(arc.y1);
   out.number(start_x(arc));
-  const bool line = kind <= ArcKind::line256;
-  for (int i = line ? 3 : 0; i < 6; ++i) out.wide(arc.curve.q[i]);
+  if (const auto* curve = std::get_if<Curve>(&arc.form)) {
+    const bool line = is_line(*curve);
+    if (!line) out.number(static_cast<int>(arc.branch));
+    for (int i = line ? 3 : 0; i < 6; ++i) out.wide(curve->q[i]);
+    return;
+  }
+  out.number((arc.guide.rising ? 1 : 0) | (arc.guide.missing_right ? 2 : 0));
+  write_separators(out, arc.guide.windows.front());
+  if (const auto* radical = std::get_if<RadicalForm>(&arc.form)) write_form(out, *radical);
+  if (const auto* quartic = std::get_if<QuarticForm>(&arc.form)) write_form(out, *quartic);
 }
 
 std::vector<std::uint8_t> JobWriter::bytes() const {
@@ -328,6 +379,11 @@ std::vector<std::uint8_t> JobWriter::bytes() const {
       case Kind::arc:
         start(Record::arc);
         write_arc(out, event);
+        break;
+      case Kind::window:
+        start(Record::window);
+        out.number(event.slot);
+        write_separators(out, resolved_.arcs[event.item].guide.windows[event.window]);
         break;
       case Kind::cell: {
         const Cell& cell = resolved_.cells[event.item];

@@ -107,18 +107,66 @@ int depth_bits(const IntegerScene& scene, const FaceBits& roots, const FaceBits&
   return 1 + std::max(one_root, two_roots);
 }
 
+namespace {
+
+// The narrowest of three kinds, given the widths that they hold, sign included.
+std::optional<ArcKind> narrowest(int bits, const std::array<int, 3>& widths, ArcKind first) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (bits <= widths[i]) return static_cast<ArcKind>(static_cast<std::size_t>(first) + i);
+  }
+  return std::nullopt;
+}
+
+mpz_class largest_value(const Curve& curve, const Extent& e) {
+  const auto& q = curve.q;
+  return abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y + abs(q[3]) * e.x + abs(q[4]) * e.y +
+         abs(q[5]);
+}
+
+struct KindOfForm {
+  const Extent& e;
+
+  std::optional<ArcKind> operator()(const Curve& curve) const {
+    // A difference is at most twice the value, the slope test and a step beyond twice that again.
+    return narrowest(bits_of(largest_value(curve, e)) + 5, {64, 128, 256},
+                     is_line(curve) ? ArcKind::line64 : ArcKind::conic64);
+  }
+  // These are always wide and wrap: a difference may be lost, the values whose signs are asked are not (registers.hpp). The
+  // predicate's products have three times the width, so they need no proof of their own.
+  std::optional<ArcKind> operator()(const RadicalForm& form) const {
+    const mpz_class value = std::max({largest_value(form.p, e), largest_value(form.r, e), largest_value(form.d, e)});
+    return narrowest(bits_of(value) + 1, {128, 256, 384}, ArcKind::radical128);
+  }
+  std::optional<ArcKind> operator()(const QuarticForm& form) const {
+    mpz_class value;
+    mpz_class y_power = 1;
+    // Highest degree first: the sum over j of y^j times a polynomial in x, by Horner in x from degree 4 - j.
+    for (int j = 0; j <= 4; ++j) {
+      mpz_class in_x;
+      for (int degree = 4; degree >= j; --degree) {
+        static constexpr int first[5] = {14, 12, 9, 5, 0};  // where the terms of a degree begin
+        in_x = in_x * e.x + abs(form.q[static_cast<std::size_t>(first[degree] + j)]);
+      }
+      value += in_x * y_power;
+      y_power *= e.y;
+    }
+    return narrowest(bits_of(value) + 1, {128, 256, 384}, ArcKind::quartic128);
+  }
+};
+
+}  // namespace
+
 std::optional<ArcKind> arc_kind(const IntegerScene& scene, const Arc& arc) {
   const Extent e = extent_of(scene.scissor, scene.bodies[arc.body].origin);
-  const auto& q = arc.curve.q;
-  const mpz_class value = abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y + abs(q[3]) * e.x +
-                          abs(q[4]) * e.y + abs(q[5]);
-  const bool line = q[0] == 0 && q[1] == 0 && q[2] == 0;
-  // A difference is at most twice the value, the slope test and a step beyond twice that again.
-  const int bits = bits_of(value) + 4;
-  if (bits <= 63) return line ? ArcKind::line64 : ArcKind::conic64;
-  if (bits <= 127) return line ? ArcKind::line128 : ArcKind::conic128;
-  if (bits <= 255) return line ? ArcKind::line256 : ArcKind::conic256;
-  return std::nullopt;
+  return std::visit(KindOfForm{e}, arc.form);
+}
+
+bool separators_fit(const Arc& arc) {
+  const auto fits = [](const std::optional<Separator>& s) {
+    return !s || (std::abs(s->at) <= largest_separator && std::abs(s->step) <= largest_separator);
+  };
+  return std::all_of(arc.guide.windows.begin(), arc.guide.windows.end(),
+                     [fits](const Window& w) { return fits(w.left) && fits(w.right); });
 }
 
 }  // namespace halfspace

@@ -35,4 +35,9 @@ struct FaceBits {
 // does.
 [[nodiscard]] std::optional<ArcKind> arc_kind(const IntegerScene& scene, const Arc& arc);
 
+[[nodiscard]] inline bool is_line(const Curve& curve) { return curve.q[0] == 0 && curve.q[1] == 0 && curve.q[2] == 0; }
+
+// Every separator and its step within `largest_separator`.
+[[nodiscard]] bool separators_fit(const Arc& arc);
+
 }  // namespace halfspace

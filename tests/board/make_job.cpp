@@ -98,8 +98,9 @@ bool draw_here(const Request& request, const JobResult& job) {
 const char* exact_module(std::int32_t bits) { return bits <= exact_384.bits ? "exact_384" : "exact_768"; }
 
 bool write_source(const Request& request, const Compiled& compiled) {
-  static constexpr const char* names[arc_kinds] = {"line_arc_64",  "line_arc_128",  "line_arc_256",
-                                                   "conic_arc_64", "conic_arc_128", "conic_arc_256"};
+  static constexpr const char* names[arc_kinds] = {
+      "line_arc_64",     "line_arc_128",    "line_arc_256",    "conic_arc_64",    "conic_arc_128",   "conic_arc_256",
+      "radical_arc_128", "radical_arc_256", "radical_arc_384", "quartic_arc_128", "quartic_arc_256", "quartic_arc_384"};
   std::ofstream out(request.name + ".cpp");
   out << "#include \"firmware/app/embedded_job.hpp\"\n\nnamespace halfspace {\n\nstatic constexpr std::uint8_t bytes[] "
          "= {";

@@ -1,4 +1,4 @@
-// The six kinds of arcs and their branches against exact roots: for every line the first dots at and right of the root.
+// Lines and conics in every width and branch against exact roots: for every line the first dots at and right of the root.
 #include "firmware/core/arc.hpp"
 
 #include <gtest/gtest.h>
@@ -55,27 +55,29 @@ std::optional<ArcKind> kind_of(const Setting& s) {
   scene.bodies.resize(1);
   scene.bodies[0].origin = {s.origin_x, s.origin_y, 0};
   Arc arc;
-  arc.curve.q = s.q;
+  arc.form = Curve{s.q};
   return arc_kind(scene, arc);
 }
 
 // Follows the arc over all its lines from y0 in the given kind.
 void expect_crossings(const Setting& s, ArcKind kind, std::int32_t y0, std::int32_t y1, std::int32_t start_x) {
   JobBytes out;
-  for (std::size_t i = kind <= ArcKind::line256 ? 3 : 0; i < 6; ++i) out.wide(s.q[i]);
+  const bool line = kind <= ArcKind::line256;
+  if (!line) out.number(static_cast<int>(s.branch));
+  for (std::size_t i = line ? 3 : 0; i < 6; ++i) out.wide(s.q[i]);
   const std::vector<std::uint8_t> bytes = out.take();
   MemorySource source(bytes);
   JobReader in(source);
   const ArcModule& module = *all_modules.arcs[static_cast<std::size_t>(kind)];
   std::vector<std::uint64_t> state(static_cast<std::size_t>(module.bytes) / 8 + 1);
-  ArcCrossing crossing = module.load(
-      in, {s.origin_x, s.origin_y, start_x, y0, y1, x_min, x_max, static_cast<ArcBranch>(s.branch)}, state.data());
+  module.load(in, {s.origin_x, s.origin_y, start_x, y0, y1, x_min, x_max}, state.data());
   ASSERT_FALSE(in.failed());
   for (std::int32_t y = y0;; ++y) {
+    const ArcCrossing crossing = module.settle(state.data());
     ASSERT_EQ(crossing.at_or_right, first_dot(s.q, s.branch, s.origin_x, y - s.origin_y, false)) << "line " << y;
     ASSERT_EQ(crossing.right, first_dot(s.q, s.branch, s.origin_x, y - s.origin_y, true)) << "line " << y;
     if (y == y1) break;
-    crossing = module.next_line(state.data());
+    module.step_down(state.data());
   }
 }
 

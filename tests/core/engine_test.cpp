@@ -79,6 +79,15 @@ TEST(Engine, DrawsTheSampleTheSameEveryTime) {
   }
 }
 
+TEST(Engine, GuidedArcsDrawWhatConicsDraw) {
+  const JobResult job = guided_job(DotFormat::gray);
+  ASSERT_TRUE(job.diagnostics.empty()) << job.diagnostics.front().message;
+  EXPECT_EQ(job.header.needs.arc_bytes, radical_arc_128.bytes);
+  const Drawn drawn = draw_bytes(job.bytes);
+  ASSERT_EQ(drawn.result.status, DrawStatus::ok);
+  EXPECT_EQ(drawn.bytes, draw_bytes(sample_job(DotFormat::gray).bytes).bytes);
+}
+
 TEST(Engine, BandsOfEveryHeightGiveTheSamePage) {
   const JobResult job = sample_job(DotFormat::bilevel);
   const Drawn whole = draw_bytes(job.bytes);
@@ -170,7 +179,7 @@ TEST(Engine, ASlowSourceGivesTheSamePage) {
 }
 
 TEST(HostileJob, AJobCutAnywhereIsAnError) {
-  const JobResult job = sample_job(DotFormat::gray);
+  const JobResult job = guided_job(DotFormat::gray);
   for (std::size_t length = 0; length < job.bytes.size(); ++length) {
     const Drawn drawn = draw_bytes(std::span(job.bytes).first(length));
     ASSERT_TRUE(drawn.result.status == DrawStatus::not_a_job || drawn.result.status == DrawStatus::bad_record)
@@ -227,12 +236,13 @@ std::vector<std::uint8_t> mutate(std::vector<std::uint8_t> bytes, Dice& dice) {
 
 // Never a crash, a hang or an access out of bounds (the sanitizers watch); a page may come out wrong.
 TEST(HostileJob, TwentyThousandMutationsDoNoHarm) {
-  const std::array jobs{sample_job(DotFormat::gray).bytes, sample_job(DotFormat::bilevel).bytes};
+  const std::array jobs{sample_job(DotFormat::gray).bytes, sample_job(DotFormat::bilevel).bytes,
+                        guided_job(DotFormat::gray).bytes};
   std::array<int, 7> count{};
   for (std::uint64_t seed = 0; seed < 20000; ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
-    const auto bytes = mutate(jobs[seed % 2], dice);
+    const auto bytes = mutate(jobs[seed % jobs.size()], dice);
     const auto shader = static_cast<Shader>(seed / 2 % 2);
     const Drawn drawn = draw_bytes(bytes, plenty, {.shader = shader}, 8);
     ++count[static_cast<std::size_t>(drawn.result.status)];

@@ -25,6 +25,10 @@ void PrintTo(const SecondOrder<Int>& s, std::ostream* out) {
        << ::testing::PrintToString(s.y) << " xx " << ::testing::PrintToString(s.xx) << " xy "
        << ::testing::PrintToString(s.xy) << " yy " << ::testing::PrintToString(s.yy);
 }
+template <class Int>
+void PrintTo(const FourthOrder<Int>& s, std::ostream* out) {
+  *out << ::testing::PrintToString(s.at);
+}
 
 namespace {
 
@@ -129,6 +133,68 @@ TYPED_TEST(RegistersTest, FirstOrderWalksEndWhereJumpsEnd) {
     jump.jump_x(x);
     ASSERT_EQ(walk, jump) << "at " << x << ", " << y;
     ASSERT_EQ(walk.r, number<TypeParam>(c[0] * static_cast<long>(x) + c[1] * static_cast<long>(y) + c[2]));
+  }
+}
+
+// Coefficients of x^(n-j) y^j, lowest n first. Every register is a difference of the one below it.
+mpz_class quartic_at(const std::array<mpz_class, 15>& q, const mpz_class& x, const mpz_class& y) {
+  mpz_class sum;
+  for (int n = 0, k = 0; n <= 4; ++n) {
+    for (int j = 0; j <= n; ++j, ++k) {
+      mpz_class term = q[static_cast<std::size_t>(k)];
+      for (int i = 0; i < n; ++i) term *= i < j ? y : x;
+      sum += term;
+    }
+  }
+  return sum;
+}
+
+template <class Integer>
+class FourthOrderTest : public ::testing::Test {};
+using WideIntegers = ::testing::Types<Wide<64>, Wide<128>, Wide<256>, Wide<384>>;
+TYPED_TEST_SUITE(FourthOrderTest, WideIntegers);
+
+// The registers wrap, and so may the coefficients be of any size: all is compared modulo their width.
+TYPED_TEST(FourthOrderTest, WalksEndWhereALoadBegins) {
+  constexpr int bits = TypeParam::limbs * limb_bits;
+  Dice dice(7);
+  for (int trial = 0; trial < 40; ++trial) {
+    std::array<mpz_class, 15> coefficients;
+    std::array<TypeParam, 15> q;
+    for (std::size_t i = 0; i < 15; ++i) {
+      coefficients[i] = random_bits(dice, bits - 1);
+      q[i] = to_wide<bits>(coefficients[i]);
+    }
+    auto x = static_cast<std::int32_t>(between(dice, -131072, 131072));
+    auto y = static_cast<std::int32_t>(between(dice, -131072, 131072));
+    const auto begin = [&q](std::int32_t px, std::int32_t py) {
+      FourthOrder<TypeParam> s{q};
+      s.begin(px, py);
+      return s;
+    };
+    auto walk = begin(x, y);
+    for (int i = 0; i < 500; ++i) {
+      const auto n = static_cast<std::int32_t>(between(dice, -65536, 65536));
+      switch (between(dice, 0, 4)) {
+        case 0:
+          walk.step_x(), ++x;
+          break;
+        case 1:
+          walk.back_x(), --x;
+          break;
+        case 2:
+          walk.step_y(), ++y;
+          break;
+        case 3:
+          if (std::abs(x + n) <= 131072) walk.jump_x(n), x += n;
+          break;
+        default:
+          if (std::abs(y + n) <= 131072) walk.jump_y(n), y += n;
+      }
+    }
+    if (std::abs(x) > 131072 || std::abs(y) > 131072) continue;
+    ASSERT_EQ(walk, begin(x, y)) << "at " << x << ", " << y;
+    ASSERT_EQ(to_mpz(walk.r()), wrapped(quartic_at(coefficients, x, y), bits));
   }
 }
 

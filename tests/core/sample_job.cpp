@@ -43,22 +43,55 @@ IntegerScene sample_scene() {
 ResolvedScene sample_resolved() {
   ResolvedScene r;
   const Curve limb{{1, 0, 1, 0, 0, -625}};
-  r.arcs = {{0, limb, Branch::left, 5, 55},
-            {0, limb, Branch::right, 5, 55},
-            {1, {{0, 0, 0, 3, 1, 60}}, Branch::single, 10, 50},
-            {2, {{0, 0, 0, 2, -1, -1}}, Branch::single, 1, 40}};
+  r.arcs = {{0, limb, Branch::left, {}, 5, 55},
+            {0, limb, Branch::right, {}, 5, 55},
+            {1, Curve{{0, 0, 0, 3, 1, 60}}, Branch::single, {}, 10, 50},
+            {2, Curve{{0, 0, 0, 2, -1, -1}}, Branch::single, {}, 1, 40}};
   r.faces = {{0, 0, Sheet::front}, {0, 0, Sheet::back}, {1, 0, Sheet::only}, {2, 0, Sheet::only}};
   r.cells = {{0, 0, 1, 5, 55}, {1, 0, 1, 5, 55}, {2, 2, no_arc, 10, 50}, {3, no_arc, 3, 1, 40}};
   r.spans = {{2, 57, 4, 30}};
   return r;
 }
 
-}  // namespace
+// The sphere's limb, left: x^2 + y^2 - 625 = p + r sqrt(d) with r = 2 x - 3 y + 7, sqrt(d) = x + y + 200.
+Arc radical_limb() {
+  RadicalForm form;
+  form.p = {{1 - 2, 1, 1 + 3, -407, 593, -625 - 1400}};
+  form.r = {{0, 0, 0, 2, -3, 7}};
+  form.d = {{1, 2, 1, 400, 400, 40000}};
+  Guide guide{.rising = false, .missing_right = false, .windows = {}};
+  guide.windows = {{5, 20, {}, Separator{65536, 0}},
+                   {21, 21, Separator{-26 * 65536, -65536}, Separator{-65536, 70000}},
+                   {22, 55, Separator{-26 * 65536 - 9, -5}, Separator{65536, 0}}};
+  return {0, form, Branch::single, guide, 5, 55};
+}
 
-JobResult sample_job(DotFormat format) {
+// The same, right, with a second circle about it: (x^2 + y^2 - 625) (x^2 + y^2 - 900).
+Arc quartic_limb() {
+  const QuarticForm form{{1, 0, 2, 0, 1, 0, 0, 0, 0, -1525, 0, -1525, 0, 0, 562500}};
+  Guide guide{.rising = false, .missing_right = false, .windows = {}};
+  for (std::int32_t y = 5; y <= 55; ++y) {
+    const mpz_class between = sqrt(mpz_class((762 - (y - 30) * (y - 30))) << 32);
+    guide.windows.push_back({y, y, Separator{-65536, 0}, Separator{between.get_si(), 0}});
+  }
+  return {0, form, Branch::single, guide, 5, 55};
+}
+
+JobResult job_of(const ResolvedScene& resolved, DotFormat format) {
   JobOptions options;
   options.page = {sample_width, sample_height, format, 65, 64};
-  return write_job(sample_scene(), sample_resolved(), options);
+  return write_job(sample_scene(), resolved, options);
+}
+
+}  // namespace
+
+JobResult sample_job(DotFormat format) { return job_of(sample_resolved(), format); }
+
+JobResult guided_job(DotFormat format) {
+  ResolvedScene resolved = sample_resolved();
+  resolved.arcs[0] = radical_limb();
+  resolved.arcs[1] = quartic_limb();
+  return job_of(resolved, format);
 }
 
 Drawn draw_job(ByteSource& source, std::size_t memory_bytes, const DrawOptions& options, std::size_t most_bands,

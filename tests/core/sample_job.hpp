@@ -12,6 +12,9 @@ inline constexpr std::int32_t sample_width = 70, sample_height = 60;
 
 [[nodiscard]] JobResult sample_job(DotFormat format);
 
+// The same page, with the sphere's limb as a radical and a quartic arc in several windows.
+[[nodiscard]] JobResult guided_job(DotFormat format);
+
 // What a page came to.
 struct Drawn {
   DrawResult result;
