@@ -12,20 +12,18 @@
 
 namespace halfspace {
 
+// Coefficients in the proportion of integers up to here are taken as they are.
+inline constexpr int small_quadric_bits = 32;
+
 struct Quantised {
   IntegerForm form;  // in the dot frame of the page
   Real bound = 0;
 };
 
-// The target is met with 2^-extra_bits to spare. `inverse` takes the dot frame to the half-space's own; `box` is finite. None where no scale below 2^400 meets the
-// target, or where the box lies so far away for its size (2^36 times) that 113 bits say nothing about it.
-[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box,
-                                                int extra_bits = 0);
-
-// `leader` plus `apart` times the world's constant 1: a multiple of the leader's integers and of that 1's. None where its
-// target asks for more digits than the leader has, or the box reaches a point where the surface is not smooth.
-[[nodiscard]] std::optional<Quantised> quantise_sibling(const Quantised& leader_integers, const RealHalfSpace& leader,
-                                                        Real apart, const Matrix4& inverse, const Box& box);
+// `inverse` takes the dot frame to the half-space's own; `box` is finite. None where no scale below 2^400 meets the
+// target, or where the box lies too far away for its size (local_box.hpp).
+[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse,
+                                                const Box& box);
 
 // How far the integer plane lies from the true one within a box, whichever way either is written.
 [[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box);
