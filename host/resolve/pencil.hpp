@@ -4,7 +4,8 @@
 //     (shells q and q + k; their image in perspective, where the plane is the horizon; a ball in a tube), or
 //   - is semidefinite, with no zero in finite space.
 // Complete  The second always exists for surfaces that have no real point in common, at infinity neither (Calabi 1964).
-// Exact     Integers and rationals; t is one of ten ratios, or found by cutting an interval by witnesses against it.
+// Exact     Integers and rationals decide; t is one of ten ratios, or found by cutting an interval by witnesses against it,
+//           the first of them found in doubles and weighed in intervals.
 #pragma once
 
 #include <optional>
