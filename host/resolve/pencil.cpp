@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 
 namespace halfspace {
 namespace {
