@@ -104,11 +104,19 @@ std::optional<std::uint32_t> EnclosedSheet::possible_meeting(const Box& box) con
   const Interval d = shape_ == SheetShape::two_sheets ? d_.over(box) : Interval{};
   if (d.negative()) return std::nullopt;
   const OnBox own = own_forms(box, d);
+  const auto fails = [](const EnclosedConstraint& k, const Interval& value) {
+    return k.sense > 0 ? value.positive() : value.negative();
+  };
   std::optional<std::uint32_t> meeting;
   for (const EnclosedConstraint& k : constraints_) {
+    if (!k.untraced) continue;
     const Interval value = value_of(k, own, box);
-    if (k.sense > 0 ? value.positive() : value.negative()) return std::nullopt;
-    if (k.untraced && value.may_vanish()) meeting = k.half_space;
+    if (fails(k, value)) return std::nullopt;
+    if (value.may_vanish()) meeting = k.half_space;
+  }
+  if (!meeting) return std::nullopt;
+  for (const EnclosedConstraint& k : constraints_) {
+    if (!k.untraced && fails(k, value_of(k, own, box))) return std::nullopt;
   }
   return meeting;
 }
