@@ -154,10 +154,15 @@ class Search {
   }
 
   [[nodiscard]] bool held(const Vector3& p, std::initializer_list<std::size_t> on) const {
+    const IntervalVector near = enclosure(p);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       bool is_own = false;
       for (const std::size_t own : on) is_own = is_own || own == i;
       if (is_own) continue;
+      if (const auto certain = filter_.holds_at(i, near)) {
+        if (!*certain) return false;
+        continue;
+      }
       const Value v = value_at(sides_[i].shape, p);
       const Real outward = sides_[i].complement ? -v.value : v.value;
       if (outward > v.terms * power_of_two(-held_bits)) return false;
@@ -166,7 +171,7 @@ class Search {
   }
 
   void offer(const Vector3& p, std::initializer_list<std::size_t> on) {
-    if (!finite(p[0] + p[1] + p[2]) || !held(p, on)) return;
+    if (!finite(p[0] + p[1] + p[2]) || filter_.is_in_box(enclosure(p)) || !held(p, on)) return;
     const Box point{p, p};
     result_.box = result_.empty ? point : around(result_.box, point);
     result_.empty = false;
@@ -279,7 +284,7 @@ class Search {
   }
 
   [[nodiscard]] bool recedes(const Vector3& d) const {
-    if (filter_.ends_along(enclosure(d, 0).normal)) return false;
+    if (filter_.ends_along(enclosure(d))) return false;
     const auto all_allow = [this](const Vector3& v) {
       for (const Side& side : sides_) {
         if (!allows(side, v)) return false;
@@ -315,7 +320,7 @@ class Search {
   [[nodiscard]] bool tries_circle(const Vector3& normal, std::span<const std::size_t> quadrics) const {
     const Vector3 helper = magnitude(normal[0]) * 2 < 1 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
     const Vector3 across = cross(normal, helper);
-    if (filter_.ends_in_plane(enclosure(across, 0).normal, enclosure(cross(normal, across), 0).normal, quadrics)) {
+    if (filter_.ends_in_plane(enclosure(across), enclosure(cross(normal, across)), quadrics)) {
       return false;
     }
     const Line circle{unit(across), cross(normal, unit(across))};

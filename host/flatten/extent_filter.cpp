@@ -50,9 +50,9 @@ Interval enclosure(Real v) {
   return outward(near, near);
 }
 
-IntervalPlane enclosure(const Vector3& normal, Real offset) {
-  return {{enclosure(normal[0]), enclosure(normal[1]), enclosure(normal[2])}, enclosure(offset)};
-}
+IntervalVector enclosure(const Vector3& v) { return {enclosure(v[0]), enclosure(v[1]), enclosure(v[2])}; }
+
+IntervalPlane enclosure(const Vector3& normal, Real offset) { return {enclosure(normal), enclosure(offset)}; }
 
 std::optional<IntervalLine> meeting_line(const IntervalPlane& a, const IntervalPlane& b) {
   if (is_large(a.normal) || is_large(b.normal) || is_large(a.offset) || is_large(b.offset)) return std::nullopt;
@@ -126,7 +126,9 @@ bool ExtentFilter::ends_in_plane(const IntervalVector& u, const IntervalVector& 
   return true;
 }
 
-bool ExtentFilter::fails_at(const FilterSide& side, const IntervalVector& p) const {
+std::optional<bool> ExtentFilter::holds_at(std::size_t index, const IntervalVector& p) const {
+  if (is_large(p)) return std::nullopt;
+  const FilterSide& side = sides_[index];
   const auto& c = side.c;
   Interval value = side.is_plane ? c[3] : c[9];
   double terms = most(value);
@@ -142,15 +144,21 @@ bool ExtentFilter::fails_at(const FilterSide& side, const IntervalVector& p) con
     for (std::size_t j = 0; j < 3; ++j) add(c[quadric_index[i][j]] * p[i] * p[j]);
     add((c[6 + i] + c[6 + i]) * p[i]);
   }
-  return value.low > slack * tolerance_ * terms;
+  if (value.negative()) return true;
+  if (value.low > slack * tolerance_ * terms) return false;
+  return std::nullopt;
+}
+
+bool ExtentFilter::is_in_box(const IntervalVector& p) const {
+  const auto within = [&](std::size_t i) { return (*inside_)[i].low <= p[i].low && p[i].high <= (*inside_)[i].high; };
+  return inside_ && within(0) && within(1) && within(2);
 }
 
 bool ExtentFilter::drops(const IntervalVector& p, Owners on) const {
-  if (is_large(p)) return false;
-  const auto within = [&](std::size_t i) { return (*inside_)[i].low <= p[i].low && p[i].high <= (*inside_)[i].high; };
-  if (inside_ && within(0) && within(1) && within(2)) return true;
+  if (is_in_box(p)) return true;
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    if (std::find(on.begin(), on.end(), i) == on.end() && fails_at(sides_[i], p)) return true;
+    const bool is_own = std::find(on.begin(), on.end(), i) != on.end();
+    if (!is_own && !holds_at(i, p).value_or(true)) return true;
   }
   return false;
 }

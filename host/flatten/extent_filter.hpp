@@ -28,6 +28,7 @@ struct IntervalPlane {
   IntervalVector normal{};
   Interval offset;
 };
+[[nodiscard]] IntervalVector enclosure(const Vector3& v);
 [[nodiscard]] IntervalPlane enclosure(const Vector3& normal, Real offset);
 
 struct IntervalLine {
@@ -51,6 +52,10 @@ class ExtentFilter {
   [[nodiscard]] bool drops_on_plane(const IntervalLine& line, const IntervalPlane& plane, Owners on) const;
   [[nodiscard]] bool drops_on_quadric(const IntervalLine& line, std::size_t quadric, Owners on) const;
 
+  // Does a side hold at it, or fail: none, if that cannot be told.
+  [[nodiscard]] bool is_in_box(const IntervalVector& p) const;
+  [[nodiscard]] std::optional<bool> holds_at(std::size_t side, const IntervalVector& p) const;
+
   // Does the body end along d and along -d?
   [[nodiscard]] bool ends_along(const IntervalVector& d) const;
   // Along the directions u, v and those of the plane of u and v on the quadrics' asymptotic cones?
@@ -64,7 +69,6 @@ class ExtentFilter {
     std::array<Interval, 10> c;
     double size = 0;  // of the coefficients that decide far out
   };
-  [[nodiscard]] bool fails_at(const FilterSide& side, const IntervalVector& p) const;
   [[nodiscard]] bool drops(const IntervalVector& p, Owners on) const;
   [[nodiscard]] bool forbids(const FilterSide& side, const IntervalVector& d) const;
 

@@ -135,8 +135,8 @@ template <typename Number>
 std::optional<Vector<Number>> witness_against(const Symmetric<Number>& s) {
   std::vector<Vector<Number>> rest{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   while (!rest.empty()) {
-    std::vector<Number> values;
-    for (const Vector<Number>& v : rest) values.push_back(value_at(s, v));
+    std::vector<Number> values(rest.size());
+    std::transform(rest.begin(), rest.end(), values.begin(), [&](const Vector<Number>& v) { return value_at(s, v); });
     const auto least = std::min_element(values.begin(), values.end());
     if (sign_of(*least) < 0) return rest[static_cast<std::size_t>(least - values.begin())];
     const auto most = std::max_element(values.begin(), values.end());
