@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "host/flatten/local_box.hpp"
 #include "host/flatten/rational.hpp"
 #include "host/flatten/spectrum.hpp"
 
@@ -285,8 +284,8 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
 }  // namespace
 
 std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members, const Matrix4& inverse,
-                                                      const Box& box) {
-  const LocalBox local = local_box(box);
+                                                      const Region& region) {
+  const LocalBox local = local_box(region);
   const auto here = inverse_from(local, inverse);
   if (!here) return std::nullopt;
   auto all = quantise_locally(members, *here, local);

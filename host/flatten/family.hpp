@@ -20,8 +20,8 @@ struct FamilyMember {
   Kinship kin;
 };
 
-// All in the dot frame, within one box. `inverse` is as in quantise.hpp, that of their common place.
+// All in the dot frame, within one region. `inverse` is as in quantise.hpp, that of their common place.
 [[nodiscard]] std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members,
-                                                                    const Matrix4& inverse, const Box& box);
+                                                                    const Matrix4& inverse, const Region& region);
 
 }  // namespace halfspace

@@ -14,7 +14,15 @@ Real target_for(Real across) {
 
 }  // namespace
 
-LocalBox local_box(const Box& box) {
+Region region_of(const Box& box, Real page) {
+  const Real across = larger(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  return {box, target_for(smaller(across, page))};
+}
+
+Region around(const Region& a, const Region& b) { return {around(a.box, b.box), smaller(a.target, b.target)}; }
+
+LocalBox local_box(const Region& region) {
+  const Box& box = region.box;
   LocalBox local;
   Vector3 centre{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -23,7 +31,7 @@ LocalBox local_box(const Box& box) {
   }
   local.origin = round_to_integers(centre);
   local.radius = largest(local.half);
-  local.target = target_for(2 * larger(local.half[0], local.half[1]));
+  local.target = region.target;
   return local;
 }
 

@@ -3,7 +3,6 @@
 #include <functional>
 #include <vector>
 
-#include "host/flatten/local_box.hpp"
 #include "host/flatten/rational.hpp"
 #include "host/flatten/spectrum.hpp"
 
@@ -242,8 +241,8 @@ bool is_zero(const RealHalfSpace& h) {
 
 }  // namespace
 
-std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box) {
-  const LocalBox local = local_box(box);
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Region& region) {
+  const LocalBox local = local_box(region);
   const auto here = inverse_from(local, inverse);
   if (!here) return std::nullopt;
   const RealHalfSpace h = normalised(transformed(half_space, *here));
@@ -258,8 +257,8 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
 }
 
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
-Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box) {
-  const LocalBox local = local_box(box);
+Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region) {
+  const LocalBox local = local_box(region);
   Vector3 origin{};
   for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
   const RealHalfSpace a = seen_from(to_real(plane), origin);
