@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/polynomial.hpp"
 
 namespace halfspace {

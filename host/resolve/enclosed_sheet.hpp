@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/sheet.hpp"
 
 namespace halfspace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
 

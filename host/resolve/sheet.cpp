@@ -22,30 +22,43 @@ SheetShape shape_of(const Surface& surface, bool curved) {
 // Are the coefficients of s and t proportional?
 bool same_surface(const Surface& s, const Surface& t) {
   const auto coefficients = [](const Surface& f) {
-    return std::array{f.b.q[3], f.b.q[4], f.b.q[5], f.a, f.c.q[0], f.c.q[1], f.c.q[2], f.c.q[3], f.c.q[4], f.c.q[5]};
+    return std::array{&f.a,      &f.b.q[3], &f.b.q[4], &f.b.q[5], &f.c.q[0],
+                      &f.c.q[1], &f.c.q[2], &f.c.q[3], &f.c.q[4], &f.c.q[5]};
   };
   const auto p = coefficients(s);
   const auto q = coefficients(t);
-  const auto leading = std::find_if(p.begin(), p.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if ((sgn(*p[i]) == 0) != (sgn(*q[i]) == 0)) return false;
+  }
+  const auto leading = std::find_if(p.begin(), p.end(), [](const mpz_class* c) { return sgn(*c) != 0; });
   if (leading == p.end()) return false;
   const auto i = static_cast<std::size_t>(leading - p.begin());
-  if (sgn(q[i]) == 0) return false;
-  for (std::size_t j = 0; j < p.size(); ++j) {
-    if (p[i] * q[j] != p[j] * q[i]) return false;
+  for (std::size_t j = i + 1; j < p.size(); ++j) {
+    if (*p[i] * *q[j] != *p[j] * *q[i]) return false;
   }
   return true;
 }
 
 void divide_by_common_content(Curve& p, Curve& r) {
   const mpz_class divisor = gcd(content(p), content(r));
-  if (sgn(divisor) == 0) return;
+  if (divisor <= 1) return;
   for (mpz_class& q : p.q) q /= divisor;
   for (mpz_class& q : r.q) q /= divisor;
 }
 
-// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a.
+// Of a plane, 2 a (b' z + c') on z = (-b + t sqrt(d)) / 2a.
+Curve plane_on_two_sheets(const Surface& own, const Surface& plane) {
+  return 2 * own.a * plane.c - plane.b.q[5] * own.b;
+}
+
+// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a.
 void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   const Surface& k = other.surface;
+  if (sgn(k.a) == 0 && is_constant(k.b)) {
+    other.p = plane_on_two_sheets(own, k);
+    other.r = k.b;
+    return;
+  }
   const Curve bb = product_of_lines(own.b, own.b);
   other.p = k.a * (bb - 2 * own.a * own.c) - own.a * product_of_lines(own.b, k.b) + 2 * own.a * own.a * k.c;
   other.r = own.a * k.b - k.a * own.b;
@@ -79,8 +92,7 @@ Curve section(const Surface& quadric, const Surface& plane) {
 // P and R of the plane on two sheets, up to a factor.
 std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane) {
   if (sheets.shape != SheetShape::two_sheets) return std::nullopt;
-  const mpz_class& slope = plane.b.q[5];
-  return Section{2 * sheets.surface.a * plane.c - slope * sheets.surface.b, slope};
+  return Section{plane_on_two_sheets(sheets.surface, plane), plane.b.q[5]};
 }
 
 // On a curved sheet.

@@ -39,9 +39,10 @@ std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, co
   if (p.enclosed.is_line) return std::vector{p.curve};
   if (q.enclosed.is_line) return std::vector{q.curve};
   if (p.section && q.section) {  // where both are 0, factor q line p = +- factor p line q
+    if (is_zero(p.section->line)) return std::vector{q.section->line};
+    if (is_zero(q.section->line)) return std::vector{p.section->line};
     const Curve u = q.section->factor * p.section->line;
     const Curve v = p.section->factor * q.section->line;
-    if (is_zero(u) || is_zero(v)) return std::vector{u + v};
     return std::vector{u - v, u + v};
   }
   if (is_second_order_proportional(p.curve, q.curve)) return std::vector{radical_line(p.curve, q.curve)};
