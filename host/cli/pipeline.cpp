@@ -121,11 +121,8 @@ Pipeline make_job(const SceneRequest& request, const PageChoice& choice, bool me
   p.scene = std::move(flat.scene);
   if (p.status != ExitStatus::drawn) return p;
 
-  ResolveResult resolved = resolve(p.scene);
+  p.resolved = resolve(p.scene);
   p.times.resolve = lap();
-  p.status = report(resolved.diagnostics, request.quiet);
-  p.resolved = std::move(resolved.scene);
-  if (p.status != ExitStatus::drawn) return p;
 
   p.job = write_job(p.scene, p.resolved, {choice.page, choice.screen, measure});
   p.times.job = lap();

@@ -95,7 +95,8 @@ int count_of_real_roots(const Polynomial& f) {
   const mpz_class& c = f[f.size() - 3];
   const mpz_class& d = f[f.size() - 4];
   if (f.size() == 4) {
-    const mpz_class discriminant = b * c * (18 * a * d + b * c) - 4 * (b * b * b * d + a * c * c * c) - 27 * a * a * d * d;
+    const mpz_class discriminant =
+        b * c * (18 * a * d + b * c) - 4 * (b * b * b * d + a * c * c * c) - 27 * a * a * d * d;
     return sgn(discriminant) == 0 ? -1 : sgn(discriminant) > 0 ? 3 : 1;
   }
   const mpz_class& e = f[0];
@@ -105,8 +106,9 @@ int count_of_real_roots(const Polynomial& f) {
   const mpz_class j = 72 * ac * e + 9 * b * c * d - 27 * (a * d * d + bb * e) - 2 * c * c * c;
   const int discriminant = cmp(4 * i * i * i, j * j);
   if (discriminant <= 0) return discriminant == 0 ? -1 : 2;
-  const bool all_real = sgn(mpz_class(8 * ac - 3 * bb)) < 0 &&
-                        sgn(mpz_class(64 * a * a * a * e - 16 * ac * ac + 16 * bb * ac - 16 * a * a * b * d - 3 * bb * bb)) < 0;
+  const bool all_real =
+      sgn(mpz_class(8 * ac - 3 * bb)) < 0 &&
+      sgn(mpz_class(64 * a * a * a * e - 16 * ac * ac + 16 * bb * ac - 16 * a * a * b * d - 3 * bb * bb)) < 0;
   return all_real ? 4 : 0;
 }
 

@@ -66,8 +66,8 @@ class Windows {
   bool is_rising(std::int64_t y) {
     const Line at = line(y);
     const LineRoot& x = at.obstacles[at.root].x;
-    const LineRoot beside = at.root == 0 ? rational_root(floor_of(x) - 1, 1)
-                                         : rational_between(at.obstacles[at.root - 1].x, x);
+    const LineRoot beside =
+        at.root == 0 ? rational_root(floor_of(x) - 1, 1) : rational_between(at.obstacles[at.root - 1].x, x);
     if (!form_.has_limb()) return sign_at(restricted(form_.part, static_cast<long>(y)), beside) < 0;
     return ValueOnLine(*form_.sheets, form_.value(), static_cast<long>(y)).sign(form_.sheet, beside) < 0;
   }

@@ -25,8 +25,7 @@ void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
   if (name.curve != no_arc) runs_[name].push_back({y0, y1, no_arc});
 }
 
-void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table,
-                         std::vector<Arc>& arcs) {
+void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table, std::vector<Arc>& arcs) {
   std::map<std::uint32_t, ArcGuide> guides;
   for (auto& [name, runs] : runs_) {
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.y0 < b.y0; });
@@ -60,8 +59,7 @@ std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map
       window.y0 = page_line(window.y0);
       window.y1 = page_line(window.y1);
     }
-    arcs.push_back(
-        {0, guide.form(), Branch::single, std::move(part.guide), page_line(part.y0), page_line(part.y1)});
+    arcs.push_back({0, guide.form(), Branch::single, std::move(part.guide), page_line(part.y0), page_line(part.y1)});
   }
   return arcs;
 }

@@ -19,7 +19,7 @@ struct ArcName {
   std::uint32_t curve = no_arc;  // no_arc: the cell is not bounded on this side
   Branch branch = Branch::single;
   bool negated = false;
-  int shift = 0;  // added to a line's value: +-1 moves a boundary that is itself excluded past the dots on it
+  int shift = 0;        // added to a line's value: +-1 moves a boundary that is itself excluded past the dots on it
   bool guided = false;  // then `curve` counts the guides, and `rank` their roots on a line
   std::uint32_t rank = 0;
 
@@ -34,7 +34,8 @@ class ArcTable {
   [[nodiscard]] std::uint32_t curve_index(const Curve& curve);
   [[nodiscard]] std::uint32_t add_guide(FormOnSheet form);
   void use(const ArcName& name, std::int32_t y0, std::int32_t y1);
-  void join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table, std::vector<Arc>& arcs);  // once, after every use
+  void join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table,
+                 std::vector<Arc>& arcs);  // once, after every use
 
   // The arc on line y and its last line; no_arc for a side without one.
   struct Piece {

@@ -105,7 +105,7 @@ class Search {
   [[nodiscard]] bool may_show(const IntervalPoint& point) const {
     if (point.y.high < static_cast<double>(y0_) || point.y.low > static_cast<double>(y1_)) return false;
     return sheets_.empty() || std::any_of(sheets_.begin(), sheets_.end(),
-                       [&point](const SheetPresence& sheet) { return sheet.may_show(point); });
+                                          [&point](const SheetPresence& sheet) { return sheet.may_show(point); });
   }
 
   const std::vector<SheetPresence>& sheets_;

@@ -39,8 +39,9 @@ HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets) {
   return {!positive, positive};
 }
 
-std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet, const std::vector<RowRoot>& roots,
-                                      std::int64_t y, const std::vector<RowInterval>& intervals) {
+std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
+                                      const std::vector<RowRoot>& roots, std::int64_t y,
+                                      const std::vector<RowInterval>& intervals) {
   const auto holds = [y](const TracedCurve& traced) { return traced.later && holds_line(traced.curve, y); };
   if (std::any_of(bounds.curves.begin(), bounds.curves.end(), holds)) return intervals;
   const auto is_rival = [&](const RowRoot& root) {

@@ -156,7 +156,8 @@ LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
   }
   const DyadicInterval& low = first.within();
   const DyadicInterval& high = second.within();
-  return rational_root((low.high << high.shift) + (high.low << low.shift), mpz_class(1) << (low.shift + high.shift + 1));
+  return rational_root((low.high << high.shift) + (high.low << low.shift), mpz_class(1)
+                                                                               << (low.shift + high.shift + 1));
 }
 
 }  // namespace halfspace

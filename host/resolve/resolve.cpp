@@ -83,9 +83,9 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
 
 }  // namespace
 
-ResolveResult resolve(const IntegerScene& scene, bool all_faces) {
-  ResolveResult result;
-  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result.scene);
+ResolvedScene resolve(const IntegerScene& scene, bool all_faces) {
+  ResolvedScene result;
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result);
   return result;
 }
 

@@ -51,9 +51,7 @@ IntegerScene flat_scene(const std::array<SourceText, 1>& texts) {
 }
 
 JobResult job_of(const IntegerScene& scene) {
-  const ResolveResult resolved = resolve(scene);
-  stop_on_errors(resolved.diagnostics);
-  JobResult job = write_job(scene, resolved.scene, {.page = page});
+  JobResult job = write_job(scene, resolve(scene), {.page = page});
   stop_on_errors(job.diagnostics);
   return job;
 }
@@ -113,7 +111,7 @@ void resolve_bodies(benchmark::State& state, const std::string& name) {
     for (const IntegerBody& body : scene.bodies) {
       alone.bodies = {body};
       const double start = processor_milliseconds();
-      benchmark::DoNotOptimize(resolve(alone).scene.cells.data());
+      benchmark::DoNotOptimize(resolve(alone).cells.data());
       if (has_at_most_two_quadrics(body)) times.push_back(processor_milliseconds() - start);
     }
   }

@@ -52,10 +52,8 @@ bool compile(const Request& request, Compiled& compiled) {
   flat_options.levels = request.levels;
   const FlattenResult flat = flatten(parsed.scene, flat_options);
   if (!accepted(flat.diagnostics)) return false;
-  const ResolveResult resolved = resolve(flat.scene);
-  if (!accepted(resolved.diagnostics)) return false;
   const Page page{request.width, request.height, DotFormat::bilevel, request.levels, request.levels - 1};
-  compiled.job = write_job(flat.scene, resolved.scene, {.page = page});
+  compiled.job = write_job(flat.scene, resolve(flat.scene), {.page = page});
   if (!accepted(compiled.job.diagnostics)) return false;
   if (compiled.job.header.needs.exact_bits > exact_768.bits) {
     std::cerr << request.scene << ": error: needs exact arithmetic of " << compiled.job.header.needs.exact_bits

@@ -42,14 +42,10 @@ std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedSce
 // Drawn on black and on white: a dot that differs shows no face.
 Drawn draw_levels(const IntegerScene& scene, Shader shader) {
   Drawn drawn;
-  const ResolveResult resolved = resolve(scene);
-  if (!resolved.diagnostics.empty()) {
-    drawn.refusal = resolved.diagnostics.front().message;
-    return drawn;
-  }
-  const auto black = draw_gray(scene, resolved.scene, 0, shader, drawn);
+  const ResolvedScene resolved = resolve(scene);
+  const auto black = draw_gray(scene, resolved, 0, shader, drawn);
   if (!drawn.refusal.empty()) return drawn;
-  const auto white = draw_gray(scene, resolved.scene, scene.levels - 1, shader, drawn);
+  const auto white = draw_gray(scene, resolved, scene.levels - 1, shader, drawn);
   if (!drawn.refusal.empty()) return drawn;
   for (std::size_t i = 0; i < black.size(); ++i) {
     drawn.levels.push_back(black[i] == white[i] ? static_cast<std::int16_t>(black[i]) : std::int16_t{-1});

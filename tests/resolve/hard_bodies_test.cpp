@@ -105,18 +105,17 @@ class HardBodies : public testing::TestWithParam<HardBody> {};
 
 TEST_P(HardBodies, EveryDotOfEveryFaceIsRight) {
   const IntegerScene scene = page_with(GetParam().half_spaces);
-  const ResolveResult result = resolve(scene, true);
-  ASSERT_TRUE(result.diagnostics.empty()) << result.diagnostics[0].message;
-  const auto broken = broken_structure(scene, result.scene);
+  const ResolvedScene resolved = resolve(scene, true);
+  const auto broken = broken_structure(scene, resolved);
   EXPECT_FALSE(broken) << *broken;
-  const auto wrong = wrong_dot(scene, result.scene);
+  const auto wrong = wrong_dot(scene, resolved);
   EXPECT_FALSE(wrong) << *wrong;
 }
 
 INSTANTIATE_TEST_SUITE_P(Resolve, HardBodies, testing::ValuesIn(hard_bodies()));
 
 TEST(Resolve, ASphereIsTwoCellsBetweenTwoArcs) {
-  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100)}), true).scene;
+  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100)}), true);
   EXPECT_EQ(resolved.faces.size(), 2U);
   EXPECT_EQ(resolved.arcs.size(), 2U);
   EXPECT_EQ(resolved.cells.size(), 2U);
@@ -128,7 +127,7 @@ TEST(Resolve, ASphereIsTwoCellsBetweenTwoArcs) {
 }
 
 TEST(Resolve, FacesShareTheirArcs) {
-  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100), plane(1, 2, 5, 0)}), true).scene;
+  const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100), plane(1, 2, 5, 0)}), true);
   EXPECT_EQ(resolved.faces.size(), 3U);
   EXPECT_EQ(resolved.arcs.size(), 4U);  // two of the limb, two of the section
 }
@@ -136,24 +135,24 @@ TEST(Resolve, FacesShareTheirArcs) {
 TEST(Resolve, OnlyTheScissorIsResolved) {
   IntegerScene scene = page_with({plane(1, 2, 3, 4), sphere(0, 0, 0, 300)});
   scene.scissor = {5, 12, 31, 20};
-  const ResolveResult result = resolve(scene, true);
-  EXPECT_FALSE(broken_structure(scene, result.scene));
-  const auto wrong = wrong_dot(scene, result.scene);
+  const ResolvedScene resolved = resolve(scene, true);
+  EXPECT_FALSE(broken_structure(scene, resolved));
+  const auto wrong = wrong_dot(scene, resolved);
   EXPECT_FALSE(wrong) << *wrong;
 }
 
 // The box says where a body is; what shows is decided by the half-spaces alone.
 TEST(Resolve, ABoxDecidesNoDot) {
   IntegerScene scene = page_with({sphere(0, 0, 0, 100)});
-  const std::size_t cells = resolve(scene).scene.cells.size();
+  const std::size_t cells = resolve(scene).cells.size();
   scene.bodies[0].x1 = scene.bodies[0].x0 - 1;
-  EXPECT_EQ(resolve(scene).scene.cells.size(), cells);
+  EXPECT_EQ(resolve(scene).cells.size(), cells);
 }
 
 TEST(Resolve, ExitsAreLeftOutOfAClosedBodyOnly) {
-  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)})).scene.faces.size(), 1U);
-  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)}), true).scene.faces.size(), 2U);
-  EXPECT_EQ(resolve(page_with({complement_of(sphere(0, 0, 0, 100))})).scene.faces.size(), 2U);
+  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)})).faces.size(), 1U);
+  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100)}), true).faces.size(), 2U);
+  EXPECT_EQ(resolve(page_with({complement_of(sphere(0, 0, 0, 100))})).faces.size(), 2U);
 }
 
 }  // namespace
