@@ -140,4 +140,25 @@ std::vector<IntegerHalfSpace> random_body(Dice& dice, int most_quadrics) {
   return half_spaces;
 }
 
+std::vector<IntegerHalfSpace> random_quadrics(Dice& dice, int most) {
+  std::vector<IntegerHalfSpace> half_spaces;
+  const long count = dice.between(2, most);
+  for (long i = 0; i < count; ++i) {
+    IntegerHalfSpace h = random_quadric(dice);
+    h.complement = dice.one_in(3);
+    h.transparent = dice.one_in(6);
+    half_spaces.push_back(std::move(h));
+  }
+  return half_spaces;
+}
+
+std::vector<IntegerHalfSpace> magnified(std::vector<IntegerHalfSpace> half_spaces, long factor) {
+  for (IntegerHalfSpace& h : half_spaces) {
+    const bool is_plane = h.kind == HalfSpaceKind::plane;
+    for (std::size_t i = is_plane ? 3 : 6; i < 10; ++i) h.c[i] *= factor;
+    if (!is_plane) h.c[9] *= factor;
+  }
+  return half_spaces;
+}
+
 }  // namespace halfspace::test

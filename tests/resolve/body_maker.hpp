@@ -40,4 +40,10 @@ class Dice {
 // Coefficients small on purpose: tangencies, common points and coincident surfaces abound.
 [[nodiscard]] std::vector<IntegerHalfSpace> random_body(Dice& dice, int most_quadrics);
 
+// Two to `most` quadrics, some complements, some transparent.
+[[nodiscard]] std::vector<IntegerHalfSpace> random_quadrics(Dice& dice, int most);
+
+// The same body, `factor` times as large.
+[[nodiscard]] std::vector<IntegerHalfSpace> magnified(std::vector<IntegerHalfSpace> half_spaces, long factor);
+
 }  // namespace halfspace::test

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "host/resolve/line_root.hpp"
 #include "host/resolve/root_marks.hpp"
@@ -43,6 +44,67 @@ TEST(LineRoot, FloorAndCeiling) {
   EXPECT_EQ(floor_of(whole[0]), -3);
   EXPECT_EQ(ceiling_of(whole[0]), -3);
   EXPECT_EQ(floor_of(whole[1]), 3);
+}
+
+// (x^2 - 2)(x^2 - 3): roots in order, equal to those of other polynomials, signs at them.
+TEST(LineRoot, OfFourthDegreeAreThoseOfTheFactors) {
+  const std::vector<LineRoot> roots = real_roots({6, 0, -5, 0, 1});
+  ASSERT_EQ(roots.size(), 4U);
+  EXPECT_EQ(compare(roots[2], real_roots({-2, 0, 1})[1]), 0);
+  EXPECT_EQ(compare(roots[3], real_roots({-3, 0, 1})[1]), 0);
+  EXPECT_EQ(compare(roots[0], real_roots({-3, 0, 1})[0]), 0);
+  EXPECT_EQ(compare(roots[2], roots[3]), -1);
+  EXPECT_EQ(sign_at({-2, 0, 1}, roots[2]), 0);
+  EXPECT_EQ(sign_at({-2, 0, 1}, roots[3]), 1);
+  EXPECT_EQ(sign_at({1414213, -1000000}, roots[2]), -1);  // 1.414213 < sqrt(2)
+  EXPECT_EQ(sign_at({}, roots[2]), 0);
+}
+
+TEST(LineRoot, MultipleRootsOfFourthDegreeAreGivenOnce) {
+  EXPECT_EQ(real_roots({4, 0, -4, 0, 1}).size(), 2U);      // (x^2 - 2)^2
+  EXPECT_EQ(real_roots({16, -32, 24, -8, 1}).size(), 1U);  // (x - 2)^4
+  EXPECT_EQ(real_roots({4, 0, 5, 0, 1}).size(), 0U);
+  EXPECT_EQ(real_roots({0, 0, 0, -1, 1}).size(), 2U);  // x^3 (x - 1)
+  EXPECT_EQ(floor_of(real_roots({16, -32, 24, -8, 1})[0]), 2);
+  EXPECT_EQ(ceiling_of(real_roots({16, -32, 24, -8, 1})[0]), 2);
+}
+
+// Roots a 2^-120 apart, far below what doubles can tell.
+TEST(LineRoot, CloseRootsOfFourthDegreeAreTold) {
+  const mpz_class big = mpz_class(1) << 120;
+  const Polynomial close = times({-3 * big, big}, {-3 * big - 1, big});
+  const Polynomial f = times(close, {7, 0, 1});
+  const std::vector<LineRoot> roots = real_roots(f);
+  ASSERT_EQ(roots.size(), 2U);
+  EXPECT_EQ(compare(roots[0], rational_root(3, 1)), 0);
+  EXPECT_EQ(compare(roots[1], rational_root(3, 1)), 1);
+  EXPECT_EQ(floor_of(roots[1]), 3);
+  EXPECT_EQ(ceiling_of(roots[1]), 4);
+  const LineRoot middle = rational_between(roots[0], roots[1]);
+  EXPECT_EQ(compare(roots[0], middle), -1);
+  EXPECT_EQ(compare(middle, roots[1]), -1);
+}
+
+// Products of linear factors: all roots, in order, with the sign of a polynomial at each.
+TEST(LineRoot, OfProductsAreTheirFactors) {
+  Dice dice(7);
+  for (int i = 0; i < 2000; ++i) {
+    Polynomial f{1};
+    std::set<long> twice;
+    for (long k = dice.between(1, 4); k > 0; --k) {
+      const long root = dice.between(-9, 9);
+      twice.insert(root);
+      f = times(f, {-root, 2});
+    }
+    const std::vector<LineRoot> roots = real_roots(f);
+    ASSERT_EQ(roots.size(), twice.size());
+    std::size_t next = 0;
+    for (const long root : twice) {
+      EXPECT_EQ(compare(roots[next], rational_root(root, 2)), 0);
+      EXPECT_EQ(sign_at({-1, 2}, roots[next]), (root > 1) - (root < 1));
+      ++next;
+    }
+  }
 }
 
 TEST(RootMarks, WholeRootsHaveEvenMarks) {
