@@ -173,9 +173,10 @@ std::variant<Curve, RadicalForm, QuarticForm> form_of(const FormOnSheet& form) {
 
 std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent, QuarticTable& table) {
   BoundingCurves bounds;
-  bounds.quartics.push_back({form.part, {form.constraint}});
+  bounds.quartics.push_back({form.part, {form.constraint}, std::nullopt});
   if (form.has_limb()) {
-    trace(form.sheets->d, std::nullopt, false, bounds.curves);
+    bounds.quartics.back().radical = Radical{form.value().p, form.value().r};
+    trace(form.sheets->d, Section{Curve{}, 1}, false, bounds.curves);
     for (const Curve& other : form.others) trace(other, std::nullopt, false, bounds.curves);
   }
   return scan_rows(critical_marks(bounds, {}, table, extent.y0, extent.y1), extent.y0, extent.y1);

@@ -16,6 +16,25 @@ Polynomial crossing_lines(const Curve& line, const Curve& p) {
   return sgn(line.q[3]) == 0 ? turning_lines(line) : meeting_lines(line, p);
 }
 
+// Where a quartic P^2 = R^2 d meets a section line^2 = factor^2 d: on one of the conics factor P = +-R line, so that nothing above
+// degree four is needed. Nothing if such a conic holds the section.
+std::optional<std::vector<Polynomial>> meeting_with_section(const TracedQuartic& quartic, const TracedCurve& traced) {
+  if (!quartic.radical || !traced.section) return std::nullopt;
+  const Curve first = traced.section->factor * quartic.radical->p;
+  const Curve second = product_of_lines(quartic.radical->r, traced.section->line);
+  std::vector<Polynomial> lines;
+  for (const Curve& conic : {first - second, first + second}) {
+    if (is_zero(conic)) return std::nullopt;
+    if (is_constant(conic)) continue;
+    const bool without_x = sgn(conic.q[0]) == 0 && sgn(conic.q[1]) == 0 && sgn(conic.q[3]) == 0;
+    lines.push_back(without_x ? turning_lines(conic) : meeting_lines(conic, traced.curve));
+    if (lines.back().empty()) continue;  // the section has no x: its turning lines hold all its points
+    if (degree(lines.back()) < 0) return std::nullopt;
+    if (is_zero(second)) break;
+  }
+  return lines;
+}
+
 class Search {
  public:
   Search(const std::vector<SheetPresence>& sheets, std::int64_t y0, std::int64_t y1)
@@ -35,6 +54,8 @@ class Search {
     }
   }
 
+  void add_all(const Polynomial& p) { add(root_marks(p, y0_, y1_)); }
+
   void add(const std::vector<Mark>& marks) { marks_.insert(marks_.end(), marks.begin(), marks.end()); }
 
   std::vector<Mark> take() {
@@ -44,8 +65,6 @@ class Search {
   }
 
  private:
-  void add_all(const Polynomial& p) { add(root_marks(p, y0_, y1_)); }
-
   // Where the line meets the curve; `polynomial` has its roots there and is asked for when intervals are not enough.
   template <typename MakePolynomial>
   void add_points(const Curve& line, const TracedCurve& p, const MakePolynomial& polynomial) {
@@ -127,7 +146,13 @@ std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector
   for (std::size_t i = 0; i < quartics.size(); ++i) {
     const QuarticForm& quartic = quartics[i].curve;
     search.add(table.turns(quartic));
-    for (const TracedCurve& other : curves) search.add(table.meetings(quartic, as_quartic(other.curve)));
+    for (const TracedCurve& other : curves) {
+      if (const auto lines = meeting_with_section(quartics[i], other)) {
+        for (const Polynomial& where : *lines) search.add_all(where);
+      } else {
+        search.add(table.meetings(quartic, as_quartic(other.curve)));
+      }
+    }
     for (std::size_t j = 0; j < i; ++j) search.add(table.meetings(quartic, quartics[j].curve));
   }
   return search.take();

@@ -201,7 +201,7 @@ std::vector<Polynomial> turning_lines(const QuarticForm& p) {
   PlanePolynomial form(p);
   PlanePolynomial discriminant;
   fmpz_mpoly_discriminant(discriminant.get(), form.get(), 0, plane());
-  return {discriminant.in_y(), coefficient_of(p, order)};
+  return {squarefree_part(discriminant.in_y()), coefficient_of(p, order)};
 }
 
 Polynomial meeting_lines(const QuarticForm& p, const QuarticForm& q) {

@@ -111,13 +111,16 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
 
 bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
 
-void add_quartic(const QuarticForm& curve, std::uint32_t constraint, std::vector<TracedQuartic>& quartics) {
+void add_quartic(const Sheets& sheets, const QuarticForm& curve, std::uint32_t constraint,
+                 std::vector<TracedQuartic>& quartics) {
   const auto known = std::find_if(quartics.begin(), quartics.end(),
                                   [&curve](const TracedQuartic& traced) { return traced.curve.q == curve.q; });
   if (known != quartics.end()) {
     known->constraints.push_back(constraint);
   } else {
-    quartics.push_back({curve, {constraint}});
+    const Constraint& k = sheets.constraints[constraint];
+    quartics.push_back({curve, {constraint}, std::nullopt});
+    if (sheets.shape == SheetShape::two_sheets) quartics.back().radical = Radical{k.p, k.r};
   }
 }
 
@@ -133,7 +136,7 @@ void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& tabl
   for (const Curve& part : parts.curves) {
     trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
   }
-  for (const QuarticForm& part : parts.quartics) add_quartic(part, index, bounds.quartics);
+  for (const QuarticForm& part : parts.quartics) add_quartic(sheets, part, index, bounds.quartics);
 }
 
 }  // namespace

@@ -44,6 +44,10 @@ struct Constraint {
   QuarticForm n;                 // on a curved sheet, of a curved surface: P^2 - R^2 d, or the rational sheet's form
 };
 
+struct Radical {
+  Curve p, r;
+};
+
 struct Sheets {
   std::uint32_t half_space = 0;
   SheetShape shape = SheetShape::none;
@@ -61,10 +65,11 @@ struct Sheets {
 // Is the value of some constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
 [[nodiscard]] bool has_zero_constraint(const Sheets& sheets);
 
-// Where constraint `index` may vanish: an irreducible curve of degree three or four.
+// Where a constraint may vanish: an irreducible curve of degree three or four, on which P^2 = R^2 d on two sheets.
 struct TracedQuartic {
   QuarticForm curve;
   std::vector<std::uint32_t> constraints;  // indices: of whose n it is a factor
+  std::optional<Radical> radical;          // of the first of them, on two sheets
 };
 
 // The curves on which the sheets appear or a constraint may change sign, without common components. A pole comes first.
