@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace halfspace {
 namespace {
@@ -69,10 +70,20 @@ Doubles guesses(const Doubles& f, double bound) {
   return roots;
 }
 
-double cauchy_bound(const Doubles& f) {
-  double most = 0;
-  for (std::size_t i = 0; i + 1 < f.count; ++i) most = std::max(most, std::abs(f.c[i] / f.c[f.count - 1]));
-  return 1 + most;
+// All real roots are within it: 2 max |a_i / a_n|^(1 / (n - i)) (Fujiwara 1916), the roots rounded up to powers of two. By exponents
+// alone, so that no guess, and with it no separator, depends on a libm.
+double bound_of_roots(const Doubles& f) {
+  const auto order = static_cast<int>(f.count) - 1;
+  int most = std::numeric_limits<int>::min();
+  for (int i = 0; i < order; ++i) {
+    const double ratio = f.c[static_cast<std::size_t>(i)] / f.c[static_cast<std::size_t>(order)];
+    if (ratio == 0) continue;
+    if (!std::isfinite(ratio)) return std::numeric_limits<double>::infinity();
+    const int exponent = std::ilogb(ratio) + 1;
+    const int divisor = order - i;
+    most = std::max(most, exponent > 0 ? (exponent + divisor - 1) / divisor : exponent / divisor);
+  }
+  return most < -1000 ? 1 : std::ldexp(2.0, std::min(most, 1000));
 }
 
 Interval value_at(const std::vector<Interval>& f, double x) {
@@ -121,7 +132,7 @@ std::vector<Interval> certain_sign_changes(const Polynomial& f) {
     enclosed.push_back(enclosure(c, static_cast<long>(bits)));
     rounded.push_back((enclosed.back().low + enclosed.back().high) / 2);
   }
-  const double bound = cauchy_bound(rounded);
+  const double bound = bound_of_roots(rounded);
   if (!(bound < 0x1p60)) return {};  // keeps every product in the enclosures finite
   std::vector<Interval> found;
   const Doubles near_roots = guesses(rounded, bound);
