@@ -1,0 +1,134 @@
+// The hard cases, each as a text and as integers, in every exact shader, at several sizes and numbers of levels: zero wrong dots, and for
+// texts the error of quantisation (docs/hard-cases.md).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "tests/hard/drawing.hpp"
+#include "tests/hard/integer_cases.hpp"
+#include "tests/hard/quantisation.hpp"
+#include "tests/hard/text_cases.hpp"
+
+namespace halfspace::testing {
+namespace {
+
+struct Size {
+  std::int32_t width, height;
+  std::int64_t unit;  // of an integer case, in dots
+};
+
+// The oracle takes some ten times as long under the sanitizers, which look for other faults.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr Size sizes[] = {{1, 1, 1}, {33, 33, 1}};
+#else
+constexpr Size sizes[] = {{1, 1, 1}, {1, 40, 1}, {40, 1, 1}, {33, 33, 1}, {64, 64, 2}, {190, 161, 5}};
+#endif
+constexpr std::int32_t level_counts[] = {2, 17, 65, 256};
+
+bool is_meeting(const Diagnostics& refusals) {
+  return !refusals.empty() && refusals.front().message.find("meet") != std::string::npos;
+}
+
+// Every shader and number of levels beside the oracle. False: refused as its case may be.
+bool check_dots(const std::string& name, const IntegerScene& scene) {
+  const Lines lines = all_lines(scene);
+  Drawing drawing(scene);
+  if (needs_meeting(name) && is_meeting(drawing.refusals())) return false;
+  if (!drawing.refusals().empty()) {
+    ADD_FAILURE() << format(drawing.refusals().front());
+    return true;
+  }
+  for (const std::int32_t levels : level_counts) {
+    const Levels truth = true_levels(scene, levels, lines);
+    for (const Shader shader : exact_shaders) {
+      const Comparison result = drawing.compare(levels, shader, lines, truth);
+      EXPECT_EQ(result.limit + result.wrong, "")
+          << scene.width << " x " << scene.height << ", shader " << static_cast<int>(shader);
+    }
+  }
+  return true;
+}
+
+// --- Integers.
+
+class IntegerHardCase : public ::testing::TestWithParam<IntegerCase> {};
+
+TEST_P(IntegerHardCase, IsExact) {
+  bool refused = false;
+  for (const Size& size : sizes) {
+    if (!check_dots(GetParam().name, integer_scene(GetParam(), size.width, size.height, size.unit))) refused = true;
+  }
+  EXPECT_EQ(refused, needs_meeting(GetParam().name)) << "it is drawn: take it off the list in text_cases.cpp";
+}
+
+INSTANTIATE_TEST_SUITE_P(Hard, IntegerHardCase, ::testing::ValuesIn(integer_cases()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+// --- Texts.
+
+// A row of docs/hard-cases.md: bound and radius in 1/256 dot, levels of 256.
+std::string table_row(const std::string& name, const QuantisationError& error) {
+  std::array<char, 64> figures;
+  std::snprintf(figures.data(), figures.size(), "%.4f | %.4f | %.4f", error.bound * 256, error.radius * 256,
+                error.levels);
+  return "| " + name + " | " + figures.data() + " |";
+}
+
+// The figures kept for a case; nothing if it has no row.
+std::optional<QuantisationError> kept_error(const std::string& name) {
+  std::ifstream in(HALFSPACE_SOURCE_DIR "/docs/hard-cases.md");
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("| " + name + " |")) continue;
+    std::replace(line.begin(), line.end(), '|', ' ');
+    std::istringstream words(line);
+    std::string word;
+    QuantisationError kept;
+    if (!(words >> word >> kept.bound >> kept.radius >> kept.levels)) return std::nullopt;
+    kept.bound /= 256;
+    kept.radius /= 256;
+    return kept;
+  }
+  return std::nullopt;
+}
+
+class HardCase : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(HardCase, IsExactAndKeepsItsPromise) {
+  bool refused = false;
+  QuantisationError error;
+  for (const Size& size : sizes) {
+    const Flattened flat = flatten_text(GetParam(), text_of(GetParam()), size.width, size.height);
+    ASSERT_EQ(flat.refusal, "");
+    if (!check_dots(GetParam(), flat.integers)) refused = true;
+    IntegerScene finest = flat.integers;
+    finest.levels = 256;
+    error.extend(quantisation_error(flat.scene, finest, true_levels(finest, 256, all_lines(finest))));
+  }
+  EXPECT_EQ(refused, needs_meeting(GetParam())) << "it is drawn: take it off the list in text_cases.cpp";
+  const std::string row = table_row(GetParam(), error);
+  std::printf("%s\n", row.c_str());
+  EXPECT_LE(error.bound, 1.0 / 256);
+  EXPECT_LE(error.radius, 1.0 / 256);
+  const std::optional<QuantisationError> kept = kept_error(GetParam());
+  ASSERT_TRUE(kept) << "docs/hard-cases.md has no row for it";
+  constexpr double half_a_digit = 0.5e-4;
+  EXPECT_LE(error.bound, kept->bound + half_a_digit / 256);
+  EXPECT_LE(error.radius, kept->radius + half_a_digit / 256);
+  EXPECT_LE(error.levels, kept->levels + half_a_digit);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hard, HardCase, ::testing::ValuesIn(text_cases()),
+                         [](const auto& tested) { return tested.param; });
+
+TEST(HardCases, AreThereBothAsTextAndAsIntegers) {
+  std::vector<std::string> names;
+  for (const IntegerCase& item : integer_cases()) names.emplace_back(item.name);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, text_cases());
+}
+
+}  // namespace
+}  // namespace halfspace::testing

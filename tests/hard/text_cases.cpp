@@ -1,0 +1,66 @@
+#include "tests/hard/text_cases.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "host/scene/parse.hpp"
+
+namespace halfspace::testing {
+namespace {
+
+const std::filesystem::path folder = HALFSPACE_SOURCE_DIR "/tests/hard/scenes";
+
+constexpr std::array meeting = {
+    std::string_view("spheres_tangent_outside_one_body"),
+    std::string_view("spheres_tangent_inside_one_body"),
+    std::string_view("equal_spheres_a_hair_apart_one_body"),
+    std::string_view("cone_apex_inside_ball"),
+    std::string_view("cone_apex_on_ball"),
+    std::string_view("steinmetz_2"),
+    std::string_view("steinmetz_3"),
+    std::string_view("steinmetz_6"),
+};
+
+std::vector<std::string> find_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+const std::vector<std::string>& text_cases() {
+  static const std::vector<std::string> names = find_names();
+  return names;
+}
+
+std::string text_of(const std::string& name) {
+  std::ifstream in(folder / (name + ".uq"));
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool needs_meeting(const std::string& name) { return std::find(meeting.begin(), meeting.end(), name) != meeting.end(); }
+
+Flattened flatten_text(const std::string& name, const std::string& text, std::int32_t width, std::int32_t height) {
+  Flattened result;
+  const SourceText source{name + ".uq", text};
+  ParseResult parsed = parse_uniquadrix(std::span(&source, 1));
+  const auto failed = [&result](const Diagnostics& diagnostics) {
+    const auto worst = std::find_if(diagnostics.begin(), diagnostics.end(),
+                                    [](const Diagnostic& d) { return d.severity != Severity::warning; });
+    if (worst != diagnostics.end()) result.refusal = format(*worst);
+    return worst != diagnostics.end();
+  };
+  if (failed(parsed.diagnostics)) return result;
+  result.scene = std::move(parsed.scene);
+  FlattenResult flat = flatten(result.scene, {width, height, 65, 1, 1, ""});
+  if (!failed(flat.diagnostics)) result.integers = std::move(flat.scene);
+  return result;
+}
+
+}  // namespace halfspace::testing
