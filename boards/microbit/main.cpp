@@ -6,6 +6,7 @@
 #include "boards/microbit/tick_clock.hpp"
 #include "firmware/app/draw_page.hpp"
 #include "firmware/app/embedded_job.hpp"
+#include "firmware/core/memory_source.hpp"
 
 namespace halfspace::microbit {
 namespace {
@@ -15,7 +16,7 @@ int run() {
   HostFile console(console_name);
   HostFile dots("dots.bin");
   DotStream device(dots, clock);
-  FlashSource job(embedded_job.bytes);
+  MemorySource job(embedded_job.bytes);
 
   const std::uint64_t start = clock.ticks();
   const PageReport report = draw_page(job, device, clock, arena(), embedded_job.shader, embedded_job.modules);

@@ -2,8 +2,6 @@
 // Memory  All of it is constant: it stays in flash and is read from there.
 #pragma once
 
-#include <algorithm>
-
 #include "firmware/core/engine.hpp"
 
 namespace halfspace {
@@ -16,21 +14,5 @@ struct EmbeddedJob {
 
 // Defined by the object that the build makes from a scene; a firmware links one.
 extern const EmbeddedJob embedded_job;
-
-// Delivers bytes that lie in memory.
-class FlashSource final : public ByteSource {
- public:
-  explicit FlashSource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-
-  std::size_t read(std::span<std::uint8_t> into) override {
-    const std::size_t count = std::min(into.size(), bytes_.size());
-    std::copy_n(bytes_.begin(), count, into.begin());
-    bytes_ = bytes_.subspan(count);
-    return count;
-  }
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
 
 }  // namespace halfspace

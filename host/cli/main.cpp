@@ -55,7 +55,8 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"isqrt", "jordan"}))
       ->capture_default_str();
   render_command->add_flag("--stats", render.statistics, "Print what the picture took");
-  render_command->add_option("--stats-json", render.statistics_file, "Write the same figures to a file");
+  render_command->add_option("--stats-json", render.statistics_file,
+                             "Write the same figures to a file; the picture stays where this fails");
 
   InfoRequest info;
   CLI::App* info_command = app.add_subcommand("info", "Say what a scene holds and what drawing it needs");

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <vector>
 
+#include "firmware/core/memory_source.hpp"
 #include "hal/device_sink.hpp"
 #include "host/picture/simulated_device.hpp"
 #include "host/picture/write_bytes.hpp"

@@ -3,6 +3,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "host/flatten/extent_filter.hpp"
 #include "host/flatten/spectrum.hpp"
 
 namespace halfspace {
@@ -102,7 +103,8 @@ std::size_t roots_on(const Line& line, const RealHalfSpace& q, std::array<Real, 
 
 class Search {
  public:
-  explicit Search(std::span<const Side> sides) : sides_(sides) {
+  explicit Search(std::span<const Side> sides)
+      : sides_(sides), filter_(sides, static_cast<double>(power_of_two(-held_bits))) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const RealHalfSpace& h = sides[i].shape;
       if (h.kind == HalfSpaceKind::plane) {
@@ -111,6 +113,7 @@ class Search {
         add_quadric(i);
       }
     }
+    for (const UnitPlane& plane : planes_) near_planes_.push_back(enclosure(plane.normal, plane.offset));
   }
 
   Extent run() {
@@ -151,10 +154,15 @@ class Search {
   }
 
   [[nodiscard]] bool held(const Vector3& p, std::initializer_list<std::size_t> on) const {
+    const IntervalVector near = enclosure(p);
     for (std::size_t i = 0; i < sides_.size(); ++i) {
       bool is_own = false;
       for (const std::size_t own : on) is_own = is_own || own == i;
       if (is_own) continue;
+      if (const auto certain = filter_.holds_at(i, near)) {
+        if (!*certain) return false;
+        continue;
+      }
       const Value v = value_at(sides_[i].shape, p);
       const Real outward = sides_[i].complement ? -v.value : v.value;
       if (outward > v.terms * power_of_two(-held_bits)) return false;
@@ -163,10 +171,11 @@ class Search {
   }
 
   void offer(const Vector3& p, std::initializer_list<std::size_t> on) {
-    if (!finite(p[0] + p[1] + p[2]) || !held(p, on)) return;
+    if (!finite(p[0] + p[1] + p[2]) || filter_.is_in_box(enclosure(p)) || !held(p, on)) return;
     const Box point{p, p};
     result_.box = result_.empty ? point : around(result_.box, point);
     result_.empty = false;
+    filter_.set_box(result_.box);
   }
 
   void offer_roots(const Line& line, std::size_t quadric, std::initializer_list<std::size_t> on) {
@@ -177,17 +186,26 @@ class Search {
 
   // Vertices on the line of two planes: with further planes, and with quadrics.
   void search_line(std::size_t i, std::size_t j) {
-    Line line;
-    if (!meet(planes_[i], planes_[j], line)) return;
     const std::size_t a = planes_[i].side;
     const std::size_t b = planes_[j].side;
+    const auto near = meeting_line(near_planes_[i], near_planes_[j]);
+    std::vector<std::size_t> planes;
+    std::vector<std::size_t> quadrics;
     for (std::size_t k = j + 1; k < planes_.size(); ++k) {
+      if (!near || !filter_.drops_on_plane(*near, near_planes_[k], {a, b, planes_[k].side})) planes.push_back(k);
+    }
+    for (const std::size_t q : quadrics_) {
+      if (!near || !filter_.drops_on_quadric(*near, q, {a, b, q})) quadrics.push_back(q);
+    }
+    Line line;
+    if ((planes.empty() && quadrics.empty()) || !meet(planes_[i], planes_[j], line)) return;
+    for (const std::size_t k : planes) {
       const Real slope = dot(planes_[k].normal, line.direction);
       if (magnitude(slope) <= power_of_two(-parallel_bits)) continue;
       const Real t = -(dot(planes_[k].normal, line.point) + planes_[k].offset) / slope;
       offer(sum(line.point, scaled(line.direction, t)), {a, b, planes_[k].side});
     }
-    for (const std::size_t q : quadrics_) offer_roots(line, q, {a, b, q});
+    for (const std::size_t q : quadrics) offer_roots(line, q, {a, b, q});
   }
 
   // Where the quadric turns along an axis, and where its section with a plane does.
@@ -197,17 +215,23 @@ class Search {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 4; ++j) polar[i][j] = shape.c[quadric_index[i][j]];
     }
+    std::array<IntervalPlane, 3> near_polar;
+    for (std::size_t i = 0; i < 3; ++i) near_polar[i] = enclosure({polar[i][0], polar[i][1], polar[i][2]}, polar[i][3]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t b = (axis + 1) % 3;
       const std::size_t c = (axis + 2) % 3;
       std::vector<UnitPlane> turning;
       Line line;
-      if (make_plane(polar[b], no_side, turning) && make_plane(polar[c], no_side, turning) &&
+      const auto near = meeting_line(near_polar[b], near_polar[c]);
+      const bool is_needless = near && filter_.drops_on_quadric(*near, q, {q});
+      if (!is_needless && make_plane(polar[b], no_side, turning) && make_plane(polar[c], no_side, turning) &&
           meet(turning[0], turning[1], line)) {
         offer_roots(line, q, {q});
       }
-      for (const UnitPlane& plane : planes_) {
-        if (plane.side != q) search_section(plane, q, polar[b], polar[c], plane.normal[b], plane.normal[c]);
+      for (std::size_t i = 0; i < planes_.size(); ++i) {
+        const UnitPlane& plane = planes_[i];
+        if (plane.side == q || drops_section(i, q, near_polar[b], near_polar[c], b, c)) continue;
+        search_section(plane, q, polar[b], polar[c], plane.normal[b], plane.normal[c]);
       }
     }
   }
@@ -222,6 +246,20 @@ class Search {
     if (make_plane(condition, no_side, turning) && meet(plane, turning[0], line)) {
       offer_roots(line, q, {plane.side, q});
     }
+  }
+
+  // Is search_section certain to find nothing new?
+  [[nodiscard]] bool drops_section(std::size_t i, std::size_t q, const IntervalPlane& polar_b,
+                                   const IntervalPlane& polar_c, std::size_t b, std::size_t c) const {
+    const IntervalPlane& plane = near_planes_[i];
+    const auto combined = [&](const Interval& of_b, const Interval& of_c) {
+      return plane.normal[b] * of_c - plane.normal[c] * of_b;
+    };
+    IntervalPlane condition;
+    for (std::size_t k = 0; k < 3; ++k) condition.normal[k] = combined(polar_b.normal[k], polar_c.normal[k]);
+    condition.offset = combined(polar_b.offset, polar_c.offset);
+    const auto line = meeting_line(plane, condition);
+    return line && filter_.drops_on_quadric(*line, q, {planes_[i].side, q});
   }
 
   // Whether half-space `side` allows going on forever along d (of length 1).
@@ -246,6 +284,7 @@ class Search {
   }
 
   [[nodiscard]] bool recedes(const Vector3& d) const {
+    if (filter_.ends_along(enclosure(d))) return false;
     const auto all_allow = [this](const Vector3& v) {
       for (const Side& side : sides_) {
         if (!allows(side, v)) return false;
@@ -262,6 +301,8 @@ class Search {
     for (std::size_t i = 0; i < planes_.size(); ++i) {
       if (tries_circle(planes_[i].normal, quadrics_)) return true;
       for (std::size_t j = i + 1; j < planes_.size(); ++j) {
+        const auto near = meeting_line(near_planes_[i], near_planes_[j]);
+        if (near && filter_.ends_along(near->direction)) continue;
         Line line;
         if (meet(planes_[i], planes_[j], line) && recedes(line.direction)) return true;
       }
@@ -278,7 +319,11 @@ class Search {
   // Directions perpendicular to `normal`: any one, and those on the quadrics' asymptotic cones.
   [[nodiscard]] bool tries_circle(const Vector3& normal, std::span<const std::size_t> quadrics) const {
     const Vector3 helper = magnitude(normal[0]) * 2 < 1 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
-    const Line circle{unit(cross(normal, helper)), cross(normal, unit(cross(normal, helper)))};
+    const Vector3 across = cross(normal, helper);
+    if (filter_.ends_in_plane(enclosure(across), enclosure(cross(normal, across)), quadrics)) {
+      return false;
+    }
+    const Line circle{unit(across), cross(normal, unit(across))};
     if (recedes(circle.point) || recedes(circle.direction)) return true;
     for (const std::size_t q : quadrics) {
       RealHalfSpace cone = sides_[q].shape;
@@ -293,7 +338,9 @@ class Search {
   }
 
   std::span<const Side> sides_;
+  ExtentFilter filter_;
   std::vector<UnitPlane> planes_;
+  std::vector<IntervalPlane> near_planes_;
   std::vector<std::size_t> quadrics_;
   Extent result_;
 };

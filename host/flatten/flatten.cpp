@@ -21,14 +21,15 @@ constexpr std::int32_t page_limit = 32767;
 // Bounds hold for depths this close to vrp, or to the body where it lies elsewhere. A surface reaches further only
 // where it is nearly parallel to the rays.
 const Real depth_limit = power_of_two(20);
-// A body off the page is rounded where it is, up to here; further off it is rounded for the page, where it is not.
+// A body off the page is rounded where it is, up to here and up to depth_limit across; one that is further off or larger
+// is rounded for the page, where it is not.
 const Real far_limit = power_of_two(25);
 constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
 
 // What a placed half-space is on the page, and what becomes of it.
 struct PageHalfSpace {
-  RealHalfSpace shape;     // dot frame
-  std::optional<Box> box;  // around the bodies that use it
+  RealHalfSpace shape;           // dot frame
+  std::optional<Region> region;  // of the bodies that use it
   std::size_t leader = no_leader;
   bool opposite = false;
   bool settled = false;  // rounded with its family
@@ -155,9 +156,10 @@ class Flattener {
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
       const PlacedBody& body = placed_.bodies[i];
       boxes_.push_back(box_of(body, extent_on_page(i)));
+      const Region own = region_of(boxes_.back(), std::max(options_.width, options_.height));
       for (const HalfSpaceUse& use : body.uses) {
-        auto& known = half_spaces_[use.half_space].box;
-        known = known ? around(*known, boxes_.back()) : boxes_.back();
+        auto& known = half_spaces_[use.half_space].region;
+        known = known ? around(*known, own) : own;
       }
     }
     mate();
@@ -218,7 +220,11 @@ class Flattener {
     return extent;
   }
 
-  static bool is_near(const Box& box) { return larger(largest(box.low), largest(box.high)) <= far_limit; }
+  // And no larger than 113 bits can hold to the page's target.
+  static bool is_near(const Box& box) {
+    const Vector3 size = difference(box.high, box.low);
+    return larger(largest(box.low), largest(box.high)) <= far_limit && larger(size[0], size[1]) <= depth_limit;
+  }
 
   // The page, and twice its size in depth about vrp.
   [[nodiscard]] Box endless_box() const {
@@ -249,20 +255,20 @@ class Flattener {
       PageHalfSpace& h = half_spaces_[i];
       const bool has_normal =
           h.shape.kind == HalfSpaceKind::plane && largest({h.shape.c[0], h.shape.c[1], h.shape.c[2]}) != 0;
-      if (!has_normal || !h.box) continue;
-      const PlaneMating::Match match = mating.add(h.shape, *h.box, users[i]);
+      if (!has_normal || !h.region) continue;
+      const PlaneMating::Match match = mating.add(h.shape, *h.region, users[i]);
       h.leader = match.leader;
       h.opposite = match.opposite;
     }
     leaders_ = mating.leaders();
   }
 
-  // Quadrics of one place that differ by a constant are rounded together, for the boxes of all.
+  // Quadrics of one place that differ by a constant are rounded together, for the regions of all.
   void quantise_families() {
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> families;
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       const PlacedHalfSpace& h = placed_.half_spaces[i];
-      if (h.kin.family != no_family && half_spaces_[i].box) families[{h.place, h.kin.family}].push_back(i);
+      if (h.kin.family != no_family && half_spaces_[i].region) families[{h.place, h.kin.family}].push_back(i);
     }
     for (const auto& [key, members] : families) {
       if (members.size() > 1) quantise_family_of(members);
@@ -272,13 +278,13 @@ class Flattener {
   // Members that cannot be held together are left to themselves.
   void quantise_family_of(const std::vector<std::size_t>& members) {
     std::vector<FamilyMember> family;
-    Box box = *half_spaces_[members.front()].box;
+    Region region = *half_spaces_[members.front()].region;
     for (const std::size_t i : members) {
       family.push_back({placed_.half_spaces[i].shape, placed_.half_spaces[i].kin});
-      box = around(box, *half_spaces_[i].box);
+      region = around(region, *half_spaces_[i].region);
     }
     const Matrix4& place = placed_.places[placed_.half_spaces[members.front()].place];
-    auto all = halfspace::quantise_family(family, place, box);
+    auto all = halfspace::quantise_family(family, place, region);
     if (!all) return;
     for (std::size_t k = 0; k < members.size(); ++k) {
       half_spaces_[members[k]].quantised = std::move((*all)[k]);
@@ -286,21 +292,21 @@ class Flattener {
     }
   }
 
-  // A leader's plane is rounded for the boxes of all that joined it.
+  // A leader's plane is rounded for the regions of all that joined it.
   bool quantise_all() {
     quantise_families();
     std::vector<std::optional<Quantised>> planes(leaders_.size());
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       PageHalfSpace& h = half_spaces_[i];
-      if (!h.box || h.settled) continue;
+      if (!h.region || h.settled) continue;
       std::optional<Quantised> quantised;
       if (h.leader == no_leader) {
-        quantised = quantise_one(i, *h.box);
+        quantised = quantise_one(i, *h.region);
       } else {
         auto& plane = planes[h.leader];
         if (!plane) plane = quantise_one(i, leaders_[h.leader].all);
         quantised = plane;
-        if (quantised) quantised->bound = larger(quantised->bound, plane_distance(plane->form, h.shape, *h.box));
+        if (quantised) quantised->bound = larger(quantised->bound, plane_distance(plane->form, h.shape, *h.region));
       }
       if (!quantised) {
         const PlacedHalfSpace& source = placed_.half_spaces[i];
@@ -315,9 +321,9 @@ class Flattener {
     return !is_hopeless();
   }
 
-  [[nodiscard]] std::optional<Quantised> quantise_one(std::size_t half_space, const Box& box) const {
+  [[nodiscard]] std::optional<Quantised> quantise_one(std::size_t half_space, const Region& region) const {
     const PlacedHalfSpace& h = placed_.half_spaces[half_space];
-    return quantise(h.shape, placed_.places[h.place], box);
+    return quantise(h.shape, placed_.places[h.place], region);
   }
 
   void build() {

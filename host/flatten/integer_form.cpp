@@ -31,9 +31,15 @@ IntegerForm negated(IntegerForm form) {
   return form;
 }
 
-void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear) {
+void add_square(IntegerForm& quadric, const mpz_class& factor, const IntegerLinear& linear) {
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i; j < 4; ++j) quadric.c[quadric_index[i][j]] += sign * linear[i] * linear[j];
+    for (std::size_t j = i; j < 4; ++j) quadric.c[quadric_index[i][j]] += factor * linear[i] * linear[j];
+  }
+}
+
+void add_twice_product(IntegerForm& quadric, const IntegerLinear& a, const IntegerLinear& b) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i; j < 4; ++j) quadric.c[quadric_index[i][j]] += a[i] * b[j] + a[j] * b[i];
   }
 }
 
@@ -41,6 +47,10 @@ RealHalfSpace to_real(const IntegerForm& form) {
   RealHalfSpace result{form.kind, {}};
   for (std::size_t i = 0; i < coefficient_count(form.kind); ++i) result.c[i] = to_real(form.c[i]);
   return result;
+}
+
+Vector4 to_real(const IntegerLinear& form) {
+  return {to_real(form[0]), to_real(form[1]), to_real(form[2]), to_real(form[3])};
 }
 
 IntegerPoint round_to_integers(const Vector3& v) {

@@ -27,10 +27,14 @@ struct IntegerForm {
 // The same surface, written the other way round.
 [[nodiscard]] IntegerForm negated(IntegerForm form);
 
-// Adds sign * linear^2 to a quadric.
-void add_square(IntegerForm& quadric, int sign, const IntegerLinear& linear);
+// Adds factor * linear^2 to a quadric.
+void add_square(IntegerForm& quadric, const mpz_class& factor, const IntegerLinear& linear);
+
+// Adds 2 a b to a quadric.
+void add_twice_product(IntegerForm& quadric, const IntegerLinear& a, const IntegerLinear& b);
 
 [[nodiscard]] RealHalfSpace to_real(const IntegerForm& form);
+[[nodiscard]] Vector4 to_real(const IntegerLinear& form);
 
 [[nodiscard]] IntegerPoint round_to_integers(const Vector3& v);
 

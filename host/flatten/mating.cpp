@@ -100,22 +100,22 @@ std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box,
   return best;
 }
 
-PlaneMating::Match PlaneMating::add(const RealHalfSpace& plane, const Box& box,
+PlaneMating::Match PlaneMating::add(const RealHalfSpace& plane, const Region& region,
                                     const std::vector<std::uint32_t>& bodies) {
   const RealHalfSpace own = with_unit_normal(plane);
-  const std::size_t same = find(own, box, bodies);
-  const std::size_t opposite = find(reversed(own), box, bodies);
+  const std::size_t same = find(own, region.box, bodies);
+  const std::size_t opposite = find(reversed(own), region.box, bodies);
   if (same == none && opposite == none) {
     Key key{};
     const Vector4 position = position_of(own);
     for (std::size_t i = 0; i < 4; ++i) key[i] = cell(position[i] * cells_per_unit[i]);
     cells_[key].push_back(leaders_.size());
-    leaders_.push_back({own, box, box, {bodies.begin(), bodies.end()}});
+    leaders_.push_back({own, region.box, region, {bodies.begin(), bodies.end()}});
     return {leaders_.size() - 1, false};
   }
   const Match match{std::min(same, opposite), opposite < same};
   Leader& leader = leaders_[match.leader];
-  leader.all = around(leader.all, box);
+  leader.all = around(leader.all, region);
   leader.bodies.insert(bodies.begin(), bodies.end());
   return match;
 }

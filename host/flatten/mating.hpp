@@ -13,7 +13,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "host/flatten/extent.hpp"
+#include "host/flatten/local_box.hpp"
 
 namespace halfspace {
 
@@ -25,7 +25,8 @@ class PlaneMating {
   };
   struct Leader {
     RealHalfSpace plane;                       // unit normal
-    Box first, all;                            // the boxes of its own body, and of all that joined
+    Box first;                                 // of its own body
+    Region all;                                // of all that joined
     std::unordered_set<std::uint32_t> bodies;  // of all that joined
   };
 
@@ -33,7 +34,7 @@ class PlaneMating {
 
   // The plane has a normal.
   // `bodies` use it.
-  Match add(const RealHalfSpace& plane, const Box& box, const std::vector<std::uint32_t>& bodies);
+  Match add(const RealHalfSpace& plane, const Region& region, const std::vector<std::uint32_t>& bodies);
 
   [[nodiscard]] const std::vector<Leader>& leaders() const { return leaders_; }
 

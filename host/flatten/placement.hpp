@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "host/flatten/family.hpp"
+#include "host/flatten/kinship.hpp"
 #include "host/flatten/matrix.hpp"
 #include "host/scene/scene.hpp"
 

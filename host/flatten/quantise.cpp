@@ -11,68 +11,14 @@ namespace {
 
 constexpr int scale_limit = 400;      // bits; a needle of 1 : 10^6 needs about 60
 constexpr int small_plane_bits = 30;  // exact proportions up to here are taken as they are
-constexpr int small_quadric_bits = 32;
-// A part that counts as 0 although it was there (spectrum.hpp, zero_bits), and a proportion that was taken for exact
-// (rational.hpp), move a surface by no more than these parts of the box, even at a double root.
-constexpr int dropped_part_bits = 36;
-constexpr unsigned most_sibling_bits = 40;  // more of a multiple do not help: the leader's own error is what is left
-// Shifting a frame by 2^36 of its sizes leaves 2^-76 of noise in a transform, and at most 2^-74 in coefficients.
-constexpr int far_bits = 36;
 
-// The box about an integer origin: every coordinate of it is within `half` of 0.
-struct LocalBox {
-  IntegerPoint origin;
-  Vector3 half{};
-  Real radius = 0;  // of the largest coordinate
-  Real target = 0;
-};
-
-Real target_for(Real across) {
-  const Real ratio = larger(1, across / 1024);
-  return smaller(power_of_two(-14) * ratio * ratio, power_of_two(-4));
-}
-
-LocalBox local_box(const Box& box) {
-  LocalBox local;
-  Vector3 centre{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    centre[i] = nearest_whole((box.low[i] + box.high[i]) / 2);
-    local.half[i] = larger(larger(box.high[i] - centre[i], centre[i] - box.low[i]), 1);
-  }
-  local.origin = round_to_integers(centre);
-  local.radius = largest(local.half);
-  local.target = target_for(2 * larger(local.half[0], local.half[1]));
-  return local;
-}
-
-// The largest value of a linear form in the box.
-Real reach(const Vector4& form, const Vector3& half) {
-  Real total = magnitude(form[3]);
-  for (std::size_t i = 0; i < 3; ++i) total += magnitude(form[i]) * half[i];
-  return total;
-}
-
-Real quadric_reach(const std::array<Real, 10>& c, const Vector3& half) {
-  const Vector4 h{half[0], half[1], half[2], 1};
+Real quadric_reach(const std::array<Real, 10>& c, const LocalBox& box) {
+  const Vector4 h{box.half[0], box.half[1], box.half[2], 1};
   Real total = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) total += magnitude(c[quadric_index[i][j]]) * h[i] * h[j];
   }
   return total;
-}
-
-struct RoundedLinear {
-  IntegerLinear integers;
-  Vector4 residual{};  // integers - what they stand for
-};
-
-RoundedLinear rounded(const Vector4& form, Real scale) {
-  RoundedLinear result;
-  for (std::size_t i = 0; i < 4; ++i) {
-    result.integers[i] = round_to_integer(form[i] * scale);
-    result.residual[i] = to_real(result.integers[i]) - form[i] * scale;
-  }
-  return result;
 }
 
 // Both on the local frame, `h` normalised. The proportions of h where these are small integers.
@@ -90,7 +36,7 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
   }
   bool is_exact = true;
   for (std::size_t i = 0; i < count; ++i) is_exact = is_exact && to_real(result.form.c[i]) == h.c[i] * most;
-  if (!is_exact) result.bound = box.radius * power_of_two(-dropped_part_bits);
+  if (!is_exact) result.bound = dropped_part(box);
   if (result.bound > box.target) return std::nullopt;
   return result;
 }
@@ -115,7 +61,7 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   const Real size = length({form[0], form[1], form[2]});
   return least_scale([&](Real scale) -> std::optional<Quantised> {
     const RoundedLinear r = rounded(form, scale);
-    const Real bound = reach(r.residual, box.half) / (scale * size);
+    const Real bound = reach(r.residual, box) / (scale * size);
     if (bound > box.target) return std::nullopt;
     Quantised result{{h.kind, {}}, bound};
     for (std::size_t i = 0; i < 4; ++i) result.form.c[i] = r.integers[i];
@@ -183,7 +129,7 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
     }
     Real bending = 0;
     for (std::size_t i = 0; i < 6; ++i) bending += (i < 3 ? 1 : 2) * magnitude(residual[i]);
-    const Real error = quadric_reach(residual, box.half) / scale;
+    const Real error = quadric_reach(residual, box) / scale;
     if (bending / scale > least_weight / 4 || error > magnitude(reduced.constant()) / 4) return std::nullopt;
     result.bound = gradient == 0 ? 0 : error / (2 * gradient);
     if (result.bound > box.target) return std::nullopt;
@@ -213,7 +159,7 @@ class SquaresAttempt {
       if (!moved) return std::nullopt;
       result.bound = *moved;
     }
-    result.bound += square_root(square) + box_.radius * power_of_two(-dropped_part_bits);
+    result.bound += square_root(square) + dropped_part(box_);
     if (result.bound > box_.target) return std::nullopt;
     return result;
   }
@@ -227,7 +173,7 @@ class SquaresAttempt {
       const Real own = scale * square_root(magnitude(term.weight) / least_);
       const RoundedLinear r = rounded(term.form, own);
       add_square(form, term.weight < 0 ? -1 : 1, r.integers);
-      const Real moved = reach(r.residual, box_.half) / own;
+      const Real moved = reach(r.residual, box_) / own;
       square += moved * moved;
     }
     return square;
@@ -242,7 +188,7 @@ class SquaresAttempt {
     form.c[9] += constant;
     const Vector4 residual{2 * half.residual[0], 2 * half.residual[1], 2 * half.residual[2],
                            to_real(constant) - rest[3] * scale};
-    return reach(residual, box_.half) / (scale * length({rest[0], rest[1], rest[2]}));
+    return reach(residual, box_) / (scale * length({rest[0], rest[1], rest[2]}));
   }
 
   // None where the constant would vanish.
@@ -286,53 +232,6 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   return least_scale(SquaresAttempt(reduced, box));
 }
 
-// Integers over what they stand for, by the coefficient that says most within the box.
-Real scale_between(const IntegerForm& integers, const RealHalfSpace& truth, const LocalBox& box) {
-  Real most = 0;
-  Real scale = 1;
-  for (std::size_t i = 0; i < 10; ++i) {
-    const Real weight = magnitude(truth.c[i]) * (i < 6 ? box.radius * box.radius : i < 9 ? box.radius : Real(1));
-    if (weight <= most) continue;
-    most = weight;
-    scale = magnitude(to_real(integers.c[i]) / truth.c[i]);
-  }
-  return scale;
-}
-
-// The least of |gradient / 2| on the surface in the box: by the constant, by the rest, or by squares that vanish nowhere
-// in the box (a cone is steep where its apex is far).
-Real least_gradient(const ReducedQuadric& reduced, const LocalBox& box) {
-  const Vector4& rest = reduced.rest;
-  if (reduced.linear) return length({rest[0], rest[1], rest[2]}) / 2;
-  Real squares = 0;
-  for (std::size_t i = 0; i < reduced.count; ++i) {
-    const auto& [weight, form] = reduced.squares[i];
-    const Real least = larger(0, magnitude(form[3]) - reach({form[0], form[1], form[2], 0}, box.half));
-    squares += weight * weight * least * least;
-  }
-  return larger(least_gradient(reduced), square_root(squares));
-}
-
-bool has_surface(const ReducedQuadric& reduced) {
-  return reduced.linear || reduced.constant() == 0 || least_gradient(reduced) > 0;
-}
-
-// By the residuals. Along the gradient, 2 g long, the value grows by 2 g h - w h^2 at least in h dots, w the largest weight:
-// by `error` for h = error / g, where error w <= g^2.
-std::optional<Real> sibling_bound(const RealHalfSpace& integers, Real factor, const RealHalfSpace& truth,
-                                  const LocalBox& box) {
-  std::array<Real, 10> residual{};
-  for (std::size_t i = 0; i < 10; ++i) residual[i] = integers.c[i] / factor - truth.c[i];
-  const Real error = quadric_reach(residual, box.half);
-  const ReducedQuadric reduced = reduce(truth, box.radius);
-  if (!has_surface(reduced)) return 0;
-  Real weight = 0;
-  for (std::size_t i = 0; i < reduced.count; ++i) weight = larger(weight, magnitude(reduced.squares[i].weight));
-  const Real gradient = least_gradient(reduced, box);
-  if (gradient == 0 || error * weight > gradient * gradient) return std::nullopt;
-  return error / gradient;
-}
-
 bool is_zero(const RealHalfSpace& h) {
   for (const Real v : h.c) {
     if (v != 0) return false;
@@ -342,16 +241,11 @@ bool is_zero(const RealHalfSpace& h) {
 
 }  // namespace
 
-std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box,
-                                  int extra_bits) {
-  LocalBox local = local_box(box);
-  local.target = local.target * power_of_two(-extra_bits);
-  Matrix4 shift = identity_matrix;
-  for (std::size_t i = 0; i < 3; ++i) {
-    shift[3][i] = to_real(local.origin[i]);
-    if (magnitude(shift[3][i]) > local.radius * power_of_two(far_bits)) return std::nullopt;
-  }
-  const RealHalfSpace h = normalised(transformed(half_space, product(shift, inverse)));
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Region& region) {
+  const LocalBox local = local_box(region);
+  const auto here = inverse_from(local, inverse);
+  if (!here) return std::nullopt;
+  const RealHalfSpace h = normalised(transformed(half_space, *here));
   if (!finite(h)) return std::nullopt;
   if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
   auto result = take_exactly(h, local);
@@ -362,35 +256,9 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   return result;
 }
 
-std::optional<Quantised> quantise_sibling(const Quantised& leader_integers, const RealHalfSpace& leader, Real apart,
-                                          const Matrix4& inverse, const Box& box) {
-  const LocalBox local = local_box(box);
-  Matrix4 shift = identity_matrix;
-  for (std::size_t i = 0; i < 3; ++i) shift[3][i] = to_real(local.origin[i]);
-  const Matrix4 to_place = product(shift, inverse);
-  RealHalfSpace truth = leader;
-  truth.c[9] += apart;
-  truth = transformed(truth, to_place);
-  const RealHalfSpace one = transformed({HalfSpaceKind::quadric, {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}, inverse);
-  const std::size_t unit = one.c[2] != 0 ? 2 : 9;  // z^2 in perspective
-  const Real scale = scale_between(seen_from(leader_integers.form, local.origin), transformed(leader, to_place), local);
-  for (unsigned bits = 0; bits <= most_sibling_bits; ++bits) {
-    const Real factor = scale * power_of_two(static_cast<int>(bits));
-    const mpz_class multiple = round_to_integer(apart * one.c[unit] * factor);
-    if (multiple == 0) continue;
-    Quantised result = leader_integers;
-    for (mpz_class& v : result.form.c) v <<= bits;
-    result.form.c[unit] += multiple;
-    const auto bound = sibling_bound(to_real(seen_from(result.form, local.origin)), factor, truth, local);
-    if (!bound || *bound > local.target) continue;
-    return Quantised{primitive(result.form), *bound};
-  }
-  return std::nullopt;
-}
-
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
-Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box) {
-  const LocalBox local = local_box(box);
+Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region) {
+  const LocalBox local = local_box(region);
   Vector3 origin{};
   for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
   const RealHalfSpace a = seen_from(to_real(plane), origin);
@@ -402,7 +270,7 @@ Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const 
     const Real t = a.c[pivot] / b.c[pivot];
     Vector4 apart{};
     for (std::size_t i = 0; i < 4; ++i) apart[i] = i == pivot ? 0 : a.c[i] - t * b.c[i];
-    const Real value = reach(apart, local.half);
+    const Real value = reach(apart, local);
     least = least ? smaller(*least, value) : value;
   }
   return size == 0 || !least ? 0 : *least / size;

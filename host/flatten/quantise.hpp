@@ -1,33 +1,30 @@
 // quantise.hpp - one half-space of the page becomes integers that are what it was: classified, then rounded.
 // Frame    Dot frame: x, y name dot centres (page - 1/2), z page depth; all in dots.
 // Bound    No point of the surface within the box is moved by more than `bound` dots; docs/flatten.md has the proof.
-// Target   2^-14 dot for boxes up to 1024 dots across, growing with the square of the size: 2^-10 at 4096 dots,
-//          1/16 at 32767. The integers are the smallest power-of-two scale that meets it.
+// Target   That of the region (local_box.hpp); the integers are the smallest power-of-two scale that meets it.
 #pragma once
 
 #include <optional>
 
-#include "host/flatten/extent.hpp"
 #include "host/flatten/integer_form.hpp"
+#include "host/flatten/local_box.hpp"
 
 namespace halfspace {
+
+// Coefficients in the proportion of integers up to here are taken as they are.
+inline constexpr int small_quadric_bits = 32;
 
 struct Quantised {
   IntegerForm form;  // in the dot frame of the page
   Real bound = 0;
 };
 
-// The target is met with 2^-extra_bits to spare. `inverse` takes the dot frame to the half-space's own; `box` is finite. None where no scale below 2^400 meets the
-// target, or where the box lies so far away for its size (2^36 times) that 113 bits say nothing about it.
-[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Box& box,
-                                                int extra_bits = 0);
+// `inverse` takes the dot frame to the half-space's own; `region` is finite. None where no scale below 2^400 meets the
+// target, or where the region lies too far away for its size (local_box.hpp).
+[[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse,
+                                                const Region& region);
 
-// `leader` plus `apart` times the world's constant 1: a multiple of the leader's integers and of that 1's. None where its
-// target asks for more digits than the leader has, or the box reaches a point where the surface is not smooth.
-[[nodiscard]] std::optional<Quantised> quantise_sibling(const Quantised& leader_integers, const RealHalfSpace& leader,
-                                                        Real apart, const Matrix4& inverse, const Box& box);
-
-// How far the integer plane lies from the true one within a box, whichever way either is written.
-[[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Box& box);
+// How far the integer plane lies from the true one within a region, whichever way either is written.
+[[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region);
 
 }  // namespace halfspace

@@ -30,15 +30,19 @@ void rotate(Matrix3& a, std::array<Vector3, 3>& vectors, std::size_t p, std::siz
   }
 }
 
+bool agree(Real a, Real b) { return magnitude(a - b) <= power_of_two(-zero_bits) * magnitude(a); }
+
 // Two equal values leave their vectors free: one of them takes a coordinate of 0, so that what lies along an axis of
-// the page is rounded to integers that do.
-void align_equal_pair(Spectrum& spectrum) {
+// the page is rounded to integers that do. Three equal ones take the axes.
+void align_equal_values(Spectrum& spectrum) {
+  if (agree(spectrum.values[0], spectrum.values[1]) && agree(spectrum.values[0], spectrum.values[2])) {
+    spectrum.vectors = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    return;
+  }
   for (std::size_t r = 0; r < 3; ++r) {
     Vector3& u = spectrum.vectors[(r + 1) % 3];
     Vector3& v = spectrum.vectors[(r + 2) % 3];
-    const Real a = spectrum.values[(r + 1) % 3];
-    const Real b = spectrum.values[(r + 2) % 3];
-    if (magnitude(a - b) > power_of_two(-zero_bits) * magnitude(a)) continue;
+    if (!agree(spectrum.values[(r + 1) % 3], spectrum.values[(r + 2) % 3])) continue;
     std::size_t axis = 0;
     while (larger(magnitude(u[axis]), magnitude(v[axis])) < power_of_two(-20)) ++axis;
     const Vector3 level = unit(difference(scaled(v, u[axis]), scaled(u, v[axis])));
@@ -65,7 +69,7 @@ Spectrum spectrum_of(const RealHalfSpace& quadric) {
     rotate(a, result.vectors, 1, 2);
   }
   result.values = {a[0][0], a[1][1], a[2][2]};
-  align_equal_pair(result);
+  align_equal_values(result);
   return result;
 }
 

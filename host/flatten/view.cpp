@@ -107,9 +107,9 @@ class Settler {
     view_.into = unit(normal);
     const Vector3 right = cross(unit(p.vup), view_.into);
     if (largest(right) < parallel_sine) {
-      return fail(ViewKey::vup,
-                  "vup is parallel to vpn, so no direction of the page is up; "
-                  "turn vup or vpn to another direction");
+      const char* inferred = p.vpn ? "" : p.perspective ? " (the direction from cop to vrp)" : " (the opposite of dop)";
+      return fail(ViewKey::vup, "vup is parallel to vpn" + std::string(inferred) +
+                                    ", so no direction of the page is up; turn vup or vpn to another direction");
     }
     view_.right = unit(right);
     view_.down = cross(view_.right, view_.into);

@@ -4,6 +4,7 @@
 #include <queue>
 #include <string>
 
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_bytes.hpp"
 #include "host/job/limits.hpp"
 #include "host/job/plane_level.hpp"
@@ -410,13 +411,6 @@ std::vector<std::uint8_t> JobWriter::bytes() const {
 }
 
 }  // namespace
-
-std::size_t MemorySource::read(std::span<std::uint8_t> into) {
-  const std::size_t count = std::min(into.size(), bytes_.size());
-  std::copy_n(bytes_.begin(), count, into.begin());
-  bytes_ = bytes_.subspan(count);
-  return count;
-}
 
 JobResult write_job(const IntegerScene& scene, const ResolvedScene& resolved, const JobOptions& options) {
   return JobWriter(scene, resolved, options).run();

@@ -27,14 +27,4 @@ struct JobResult {
 
 [[nodiscard]] JobResult write_job(const IntegerScene& scene, const ResolvedScene& resolved, const JobOptions& options);
 
-// A job in memory, as the core reads it.
-class MemorySource final : public ByteSource {
- public:
-  explicit MemorySource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-  std::size_t read(std::span<std::uint8_t> into) override;
-
- private:
-  std::span<const std::uint8_t> bytes_;
-};
-
 }  // namespace halfspace

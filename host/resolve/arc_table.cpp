@@ -16,11 +16,18 @@ std::uint32_t ArcTable::curve_index(const Curve& curve) {
   return static_cast<std::uint32_t>(found - curves_.begin());
 }
 
+std::uint32_t ArcTable::add_guide(FormOnSheet form) {
+  guided_.push_back(std::move(form));
+  return static_cast<std::uint32_t>(guided_.size() - 1);
+}
+
 void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
   if (name.curve != no_arc) runs_[name].push_back({y0, y1, no_arc});
 }
 
-void ArcTable::join_uses(std::uint32_t body, std::vector<Arc>& arcs) {
+void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table,
+                         std::vector<Arc>& arcs) {
+  std::map<std::uint32_t, ArcGuide> guides;
   for (auto& [name, runs] : runs_) {
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.y0 < b.y0; });
     std::vector<Run> joined;
@@ -31,20 +38,39 @@ void ArcTable::join_uses(std::uint32_t body, std::vector<Arc>& arcs) {
         joined.push_back(run);
       }
     }
-    for (Run& run : joined) {
-      run.arc = static_cast<std::uint32_t>(arcs.size());
-      arcs.push_back({body, curve_of(name), name.branch, {}, run.y0, run.y1});
+    runs.clear();
+    for (const Run& run : joined) {
+      for (Arc& arc : arcs_of(name, run, guides, extent, table)) {
+        runs.push_back({arc.y0, arc.y1, static_cast<std::uint32_t>(arcs.size())});
+        arc.body = body;
+        arcs.push_back(std::move(arc));
+      }
     }
-    runs = std::move(joined);
   }
 }
 
-std::uint32_t ArcTable::arc(const ArcName& name, std::int32_t y) const {
-  if (name.curve == no_arc) return no_arc;
-  for (const Run& run : runs_.at(name)) {
-    if (run.y0 <= y && y <= run.y1) return run.arc;
+std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
+                                   const Extent& extent, QuarticTable& table) const {
+  if (!name.guided) return {{0, curve_of(name), name.branch, {}, run.y0, run.y1}};
+  ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent, table).first->second;
+  const auto page_line = [this](std::int64_t y) { return static_cast<std::int32_t>(y + origin_y_); };
+  std::vector<Arc> arcs;
+  for (GuidedRun& part : guide.runs(name.rank, run.y0 - origin_y_, run.y1 - origin_y_)) {
+    for (Window& window : part.guide.windows) {
+      window.y0 = page_line(window.y0);
+      window.y1 = page_line(window.y1);
+    }
+    arcs.push_back(
+        {0, guide.form(), Branch::single, std::move(part.guide), page_line(part.y0), page_line(part.y1)});
   }
-  return no_arc;
+  return arcs;
+}
+
+ArcTable::Piece ArcTable::piece(const ArcName& name, std::int32_t y) const {
+  if (name.curve == no_arc) return {};
+  const std::vector<Run>& runs = runs_.at(name);
+  const auto run = std::find_if(runs.begin(), runs.end(), [y](const Run& r) { return r.y0 <= y && y <= r.y1; });
+  return {run->arc, run->y1};
 }
 
 Curve ArcTable::curve_of(const ArcName& name) const {

@@ -1,14 +1,16 @@
 // arc_table.hpp - the arcs of one body, each stored once however many faces it bounds.
 // A face names a boundary by curve, branch and sign; the lines on which faces use a name are collected, and runs of lines that
-// touch become one arc. So every line of an arc is a line on which some cell proved that the branch exists.
+// touch become one arc, or several where one guide does not do. So every line of an arc is a line on which some cell proved that the
+// branch exists.
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <limits>
 #include <map>
-#include <tuple>
-#include <utility>
 #include <vector>
 
+#include "host/resolve/arc_guide.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {
@@ -18,19 +20,28 @@ struct ArcName {
   Branch branch = Branch::single;
   bool negated = false;
   int shift = 0;  // added to a line's value: +-1 moves a boundary that is itself excluded past the dots on it
+  bool guided = false;  // then `curve` counts the guides, and `rank` their roots on a line
+  std::uint32_t rank = 0;
 
-  friend bool operator==(const ArcName&, const ArcName&) = default;
-  friend bool operator<(const ArcName& a, const ArcName& b) {
-    return std::tie(a.curve, a.branch, a.negated, a.shift) < std::tie(b.curve, b.branch, b.negated, b.shift);
-  }
+  friend auto operator<=>(const ArcName&, const ArcName&) = default;
 };
 
 class ArcTable {
  public:
+  // The origin of the body's frame: lines are page lines here, local ones in a guide.
+  explicit ArcTable(std::int64_t origin_y) : origin_y_(origin_y) {}
+
   [[nodiscard]] std::uint32_t curve_index(const Curve& curve);
-  void use(const ArcName& name, std::int32_t y0, std::int32_t y1);  // page scan lines
-  void join_uses(std::uint32_t body, std::vector<Arc>& arcs);       // once, after every use
-  [[nodiscard]] std::uint32_t arc(const ArcName& name, std::int32_t y) const;
+  [[nodiscard]] std::uint32_t add_guide(FormOnSheet form);
+  void use(const ArcName& name, std::int32_t y0, std::int32_t y1);
+  void join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table, std::vector<Arc>& arcs);  // once, after every use
+
+  // The arc on line y and its last line; no_arc for a side without one.
+  struct Piece {
+    std::uint32_t arc = no_arc;
+    std::int32_t y1 = std::numeric_limits<std::int32_t>::max();
+  };
+  [[nodiscard]] Piece piece(const ArcName& name, std::int32_t y) const;
 
  private:
   struct Run {
@@ -38,8 +49,12 @@ class ArcTable {
     std::uint32_t arc;
   };
   [[nodiscard]] Curve curve_of(const ArcName& name) const;
+  [[nodiscard]] std::vector<Arc> arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
+                                         const Extent& extent, QuarticTable& table) const;
 
+  std::int64_t origin_y_;
   std::vector<Curve> curves_;
+  std::vector<FormOnSheet> guided_;
   std::map<ArcName, std::vector<Run>> runs_;
 };
 

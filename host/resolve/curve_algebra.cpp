@@ -59,7 +59,9 @@ Curve operator-(Curve p, const Curve& q) {
 }
 
 Curve operator*(const mpz_class& factor, Curve p) {
-  for (mpz_class& coefficient : p.q) coefficient *= factor;
+  for (mpz_class& coefficient : p.q) {
+    if (sgn(coefficient) != 0) coefficient *= factor;
+  }
   return p;
 }
 
@@ -82,7 +84,11 @@ bool same_curve(const Curve& p, const Curve& q) { return p.q == q.q; }
 
 mpz_class content(const Curve& p) {
   mpz_class divisor = 0;
-  for (const mpz_class& coefficient : p.q) divisor = gcd(divisor, coefficient);
+  for (const mpz_class& coefficient : p.q) {
+    if (sgn(coefficient) == 0) continue;
+    divisor = gcd(divisor, coefficient);
+    if (divisor == 1) break;
+  }
   return divisor;
 }
 
@@ -91,6 +97,7 @@ void make_canonical(Curve& p) {
   if (sgn(divisor) == 0) return;
   const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
   if (sgn(*leading) < 0) divisor = -divisor;
+  if (divisor == 1) return;
   for (mpz_class& coefficient : p.q) {
     mpz_divexact(coefficient.get_mpz_t(), coefficient.get_mpz_t(), divisor.get_mpz_t());
   }

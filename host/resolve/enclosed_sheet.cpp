@@ -64,11 +64,10 @@ EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet)
 EnclosedSheet::EnclosedConstraint EnclosedSheet::enclosed(const Constraint& k, long root_exponent) const {
   if (shape_ == SheetShape::rational) {
     const long scale = exponent_of(k.surface);
-    return {k.half_space,         k.untraced,           k.surface.sense,
-            {k.surface.c, scale}, {k.surface.b, scale}, enclosure(k.surface.a, scale)};
+    return {k.surface.sense, {k.surface.c, scale}, {k.surface.b, scale}, enclosure(k.surface.a, scale)};
   }
   const long scale = std::max(exponent_of(k.p), exponent_of(k.r) + root_exponent);  // one for P and R sqrt(d)
-  return {k.half_space, k.untraced, k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
+  return {k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
 }
 
 EnclosedSheet::OnBox EnclosedSheet::own_forms(const Box& box, const Interval& d) const {
@@ -98,19 +97,6 @@ Verdict EnclosedSheet::shows_over(const Box& box) const {
     sure = sure && (k.sense > 0 ? value.high <= 0 : value.low >= 0);
   }
   return sure ? Verdict::everywhere : Verdict::unsure;
-}
-
-std::optional<std::uint32_t> EnclosedSheet::possible_meeting(const Box& box) const {
-  const Interval d = shape_ == SheetShape::two_sheets ? d_.over(box) : Interval{};
-  if (d.negative()) return std::nullopt;
-  const OnBox own = own_forms(box, d);
-  std::optional<std::uint32_t> meeting;
-  for (const EnclosedConstraint& k : constraints_) {
-    const Interval value = value_of(k, own, box);
-    if (k.sense > 0 ? value.positive() : value.negative()) return std::nullopt;
-    if (k.untraced && value.may_vanish()) meeting = k.half_space;
-  }
-  return meeting;
 }
 
 }  // namespace halfspace

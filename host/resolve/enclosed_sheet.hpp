@@ -1,5 +1,5 @@
 // enclosed_sheet.hpp - the forms of sheet.hpp over a box of the page, in intervals: quick answers that are never wrong.
-// Used as the filter before exact signs, and to prove that two quadrics stay apart.
+// Used as the filter before exact signs.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "host/resolve/interval.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/sheet.hpp"
 
 namespace halfspace {
@@ -38,13 +38,8 @@ class EnclosedSheet {
   // Where in the box does the sheet exist with every constraint holding?
   [[nodiscard]] Verdict shows_over(const Box& box) const;
 
-  // An untraced constraint that may vanish on the shown part of the sheet, if any.
-  [[nodiscard]] std::optional<std::uint32_t> possible_meeting(const Box& box) const;
-
  private:
   struct EnclosedConstraint {
-    std::uint32_t half_space = 0;
-    bool untraced = false;
     int sense = 1;
     EnclosedCurve p, r;  // rational sheets: c' and b' of the other surface, and its a'
     Interval a;

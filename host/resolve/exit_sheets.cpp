@@ -16,8 +16,9 @@ bool fails_in_front(const IntegerHalfSpace& h) {
 // Is every point of the scan line on the curve?
 bool holds_line(const Curve& curve, std::int64_t line) {
   const auto& q = curve.q;
+  if (sgn(q[0]) != 0 || (sgn(q[1]) == 0 && sgn(q[3]) != 0)) return false;
   const mpz_class y = static_cast<long>(line);
-  return q[0] == 0 && q[1] * y + q[3] == 0 && (q[2] * y + q[4]) * y + q[5] == 0;
+  return q[1] * y + q[3] == 0 && (q[2] * y + q[4]) * y + q[5] == 0;
 }
 
 }  // namespace
@@ -38,28 +39,23 @@ HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets) {
   return {!positive, positive};
 }
 
-std::vector<Curve> rival_curves(const Sheets& sheets) {
-  Sheets later = sheets;
-  std::erase_if(later.constraints, [&](const Constraint& k) { return k.half_space < sheets.half_space; });
-  later.d = Curve{};
-  return bounding_curves(later);
-}
-
-std::vector<RowInterval> rival_points(const std::vector<Curve>& rivals, const std::vector<bool>& is_rival,
-                                      const std::vector<RowRoot>& roots, std::int64_t y,
-                                      const std::vector<RowInterval>& intervals) {
-  if (std::any_of(rivals.begin(), rivals.end(), [y](const Curve& curve) { return holds_line(curve, y); })) {
-    return intervals;
-  }
+std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet, const std::vector<RowRoot>& roots,
+                                      std::int64_t y, const std::vector<RowInterval>& intervals) {
+  const auto holds = [y](const TracedCurve& traced) { return traced.later && holds_line(traced.curve, y); };
+  if (std::any_of(bounds.curves.begin(), bounds.curves.end(), holds)) return intervals;
+  const auto is_rival = [&](const RowRoot& root) {
+    return std::any_of(root.curves.begin(), root.curves.end(),
+                       [&](const CurveBranch& b) { return bounds.curves[b.curve].later; }) ||
+           std::any_of(root.quartics.begin(), root.quartics.end(), [&](const QuarticBranch& b) {
+             return b.sheet == sheet && sheets.constraints[b.constraint].half_space > sheets.half_space;
+           });
+  };
   std::vector<RowInterval> points;
   for (const RowInterval& interval : intervals) {
     const int first = interval.left == unbounded ? 0 : interval.left;
     const int last = interval.right == unbounded ? static_cast<int>(roots.size()) - 1 : interval.right;
     for (int i = first; i <= last; ++i) {
-      const std::vector<CurveBranch>& through = roots[static_cast<std::size_t>(i)].curves;
-      if (std::any_of(through.begin(), through.end(), [&](const CurveBranch& b) { return is_rival[b.curve]; })) {
-        points.push_back({i, i, false, false});
-      }
+      if (is_rival(roots[static_cast<std::size_t>(i)])) points.push_back({i, i, false, false});
     }
   }
   return points;

@@ -26,12 +26,9 @@ struct HiddenExits {
 // For a body whose rays start outside.
 [[nodiscard]] HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets);
 
-// The curves of the half-spaces after this one: where an exit may win a tie.
-[[nodiscard]] std::vector<Curve> rival_curves(const Sheets& sheets);
-
-// What is left of an exit sheet's intervals on scan line y: the roots on rival curves, as intervals of one point; everything
-// where a rival curve holds the whole line.
-[[nodiscard]] std::vector<RowInterval> rival_points(const std::vector<Curve>& rivals, const std::vector<bool>& is_rival,
+// What is left of an exit sheet's intervals on scan line y, where it may win a tie: the roots on curves of later half-spaces, as
+// intervals of one point; everything where such a curve holds the whole line.
+[[nodiscard]] std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
                                                     const std::vector<RowRoot>& roots, std::int64_t y,
                                                     const std::vector<RowInterval>& intervals);
 

@@ -1,7 +1,10 @@
 #include "host/resolve/face_cells.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
+#include "host/resolve/critical_marks.hpp"
 #include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/row_intervals.hpp"
 
@@ -10,32 +13,33 @@ namespace {
 
 // The curves of a half-space's sheets and their names in the body.
 struct FaceCurves {
-  std::vector<Curve> curves;
-  std::vector<std::uint32_t> names;
-  std::vector<Curve> rivals;  // exit_sheets.hpp
-  std::vector<bool> is_rival;
+  BoundingCurves bounds;
+  std::vector<std::uint32_t> names;                        // of the curves
+  std::map<std::array<std::uint32_t, 3>, ArcName> guided;  // of the quartics, by quartic, constraint and sheet
   std::uint32_t pole = no_arc;
-  std::optional<DotRange> range;
 };
 
-Curve vertical_line(std::int64_t x) { return {{0, 0, 0, 1, 0, static_cast<long>(-x)}}; }
+std::array<std::uint32_t, 3> key_of(std::uint32_t quartic, std::uint32_t constraint, Sheet sheet) {
+  return {quartic, constraint, static_cast<std::uint32_t>(sheet)};
+}
 
-FaceCurves face_curves(const Sheets& sheets, const Extent& extent, ArcTable& arcs) {
-  FaceCurves face;
-  face.curves = bounding_curves(sheets);
-  if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
-  // Within the extent alone is an untraced constraint known to keep its sign, so cells must not reach across its sides.
-  if (has_untraced_constraint(sheets)) {
-    face.range =
-        DotRange{rational_root(static_cast<long>(extent.x0), 1), rational_root(static_cast<long>(extent.x1), 1)};
-    append_factors(vertical_line(extent.x0), face.curves);
-    append_factors(vertical_line(extent.x1), face.curves);
+void name_quartic(const Sheets& sheets, std::uint32_t quartic, std::uint32_t constraint, QuarticTable& table,
+                  FaceCurves& face, ArcTable& arcs) {
+  const QuarticForm& part = face.bounds.quartics[quartic].curve;
+  const std::vector<Curve> others = table.factors_of(sheets.constraints[constraint].n).curves;
+  for (const Sheet sheet : sheets_in(sheets)) {
+    ArcName name{arcs.add_guide({&sheets, constraint, sheet, part, others}), Branch::single, false, 0, true, 0};
+    face.guided.emplace(key_of(quartic, constraint, sheet), name);
   }
-  face.rivals = rival_curves(sheets);
-  for (const Curve& curve : face.curves) {
-    face.names.push_back(arcs.curve_index(curve));
-    face.is_rival.push_back(
-        std::any_of(face.rivals.begin(), face.rivals.end(), [&](const Curve& r) { return r.q == curve.q; }));
+}
+
+FaceCurves face_curves(const Sheets& sheets, QuarticTable& table, ArcTable& arcs) {
+  FaceCurves face;
+  face.bounds = bounding_curves(sheets, table);
+  if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
+  for (const TracedCurve& traced : face.bounds.curves) face.names.push_back(arcs.curve_index(traced.curve));
+  for (std::uint32_t i = 0; i < face.bounds.quartics.size(); ++i) {
+    for (const std::uint32_t k : face.bounds.quartics[i].constraints) name_quartic(sheets, i, k, table, face, arcs);
   }
   return face;
 }
@@ -46,12 +50,17 @@ ArcName beside_pole(ArcName pole, bool left_side) {
   return pole;
 }
 
-std::vector<ArcName> names_at(const FaceCurves& face, const RowRoot& root, bool open, bool left_side) {
+std::vector<ArcName> names_at(const FaceCurves& face, Sheet sheet, const RowRoot& root, bool open, bool left_side) {
   std::vector<ArcName> names;
   for (const CurveBranch& through : root.curves) {
-    const ArcName name{face.names[through.curve], through.branch, through.negated, 0};
+    const ArcName name{face.names[through.curve], through.branch, through.negated, 0, false, 0};
     if (!open) names.push_back(name);
     if (open && through.curve == face.pole) names.push_back(beside_pole(name, left_side));
+  }
+  for (const QuarticBranch& through : root.quartics) {
+    if (open || through.sheet != sheet) continue;
+    names.push_back(face.guided.at(key_of(through.quartic, through.constraint, sheet)));
+    names.back().rank = through.rank;
   }
   return names;
 }
@@ -67,13 +76,13 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
   named.x0 = extent.x0;
   named.x1 = extent.x1;
   if (interval.left != unbounded) {
-    const LineRoot& x = roots[static_cast<std::size_t>(interval.left)].x;
+    const LineRoot& x = roots[static_cast<std::size_t>(interval.left)].x.exact();
     const mpz_class first = interval.left_open ? mpz_class(floor_of(x) + 1) : ceiling_of(x);
     if (first > static_cast<long>(extent.x1)) named.x1 = extent.x0 - 1;
     named.x0 = clamped(first, extent);
   }
   if (interval.right != unbounded) {
-    const LineRoot& x = roots[static_cast<std::size_t>(interval.right)].x;
+    const LineRoot& x = roots[static_cast<std::size_t>(interval.right)].x.exact();
     const mpz_class last = interval.right_open ? mpz_class(ceiling_of(x) - 1) : floor_of(x);
     if (last < static_cast<long>(extent.x0)) {
       named.x1 = extent.x0 - 1;
@@ -83,18 +92,19 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
   }
 }
 
-std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::vector<RowRoot>& roots,
-                                           const std::vector<RowInterval>& intervals, const Extent& extent) {
+std::vector<NamedInterval> named_intervals(const FaceCurves& face, Sheet sheet, const std::vector<RowRoot>& roots,
+                                           const std::vector<RowInterval>& intervals, bool in_dots,
+                                           const Extent& extent) {
   std::vector<NamedInterval> named;
   for (const RowInterval& interval : intervals) {
     NamedInterval next;
     const auto names = [&](int root, bool open, bool left_side) {
       if (root == unbounded) return std::vector<ArcName>{ArcName{}};
-      return names_at(face, roots[static_cast<std::size_t>(root)], open, left_side);
+      return names_at(face, sheet, roots[static_cast<std::size_t>(root)], open, left_side);
     };
     next.left = names(interval.left, interval.left_open, true);
     next.right = names(interval.right, interval.right_open, false);
-    set_dots(interval, roots, extent, next);
+    if (in_dots) set_dots(interval, roots, extent, next);
     named.push_back(std::move(next));
   }
   return named;
@@ -103,25 +113,26 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, const std::ve
 }  // namespace
 
 std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
-                                  ArcTable& arcs) {
+                                  QuarticTable& table, ArcTable& arcs) {
   if (sheets.shape == SheetShape::none) return {};
-  const bool two = sheets.shape == SheetShape::two_sheets;
-  const FaceCurves face = face_curves(sheets, extent, arcs);
+  const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<FaceCells> faces;
   std::vector<SheetPresence> presences;
   std::vector<bool> hidden;
-  for (const Sheet sheet : two ? std::vector{Sheet::front, Sheet::back} : std::vector{Sheet::only}) {
+  for (const Sheet sheet : sheets_in(sheets)) {
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
     hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
   }
   std::vector<CellBuilder> builders(faces.size());
-  for (const ScanRow& row : scan_rows(face.curves, extent.y0, extent.y1)) {
-    const std::vector<RowRoot> roots = roots_on_line(face.curves, row.y0);
+  const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
+  for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
+    const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-      auto intervals = row_intervals(roots, row.y0, presences[i], face.pole, face.range);
-      if (hidden[i]) intervals = rival_points(face.rivals, face.is_rival, roots, row.y0, intervals);
-      builders[i].add(row, named_intervals(face, roots, intervals, extent));
+      const Sheet sheet = faces[i].sheet;
+      auto intervals = row_intervals(roots, row.y0, presences[i], face.pole);
+      if (hidden[i]) intervals = rival_points(sheets, face.bounds, sheet, roots, row.y0, intervals);
+      builders[i].add(row, named_intervals(face, sheet, roots, intervals, row.singular, extent));
     }
   }
   for (std::size_t i = 0; i < faces.size(); ++i) {

@@ -16,9 +16,8 @@ struct FaceCells {
   std::vector<DotSpan> spans;
 };
 
-// Front before back. The caller has shown that untraced constraints keep their sign where all others hold, within the extent.
-// Of sheets that rays only leave by, what can win a tie (exit_sheets.hpp).
+// Front before back. Of sheets that rays only leave by, what can win a tie (exit_sheets.hpp).
 [[nodiscard]] std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
-                                                ArcTable& arcs);
+                                                QuarticTable& table, ArcTable& arcs);
 
 }  // namespace halfspace

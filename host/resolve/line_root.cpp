@@ -1,144 +1,162 @@
 #include "host/resolve/line_root.hpp"
 
 #include <cmath>
-#include <optional>
+
+#include "host/resolve/approximate_roots.hpp"
+#include "host/resolve/isolation.hpp"
 
 namespace halfspace {
 namespace {
 
-// The sign of a + b sqrt(e).
-int sign_of(const mpz_class& a, const mpz_class& b, const mpz_class& e) {
-  const int sign_a = sgn(a);
-  const int sign_b = sgn(b) * sgn(e);
-  if (sign_a * sign_b >= 0) return sign_a != 0 ? sign_a : sign_b;
-  return sign_a * cmp(a * a, b * b * e);
+Interval near_of(const DyadicInterval& x) {
+  const auto scale = static_cast<long>(x.shift);
+  return {enclosure(x.low, scale).low, enclosure(x.high, scale).high};
 }
 
-// floor(2^shift x): floor((p +- sqrt(e)) / r) needs only the integer part of the square root.
-mpz_class scaled_floor(const LineRoot& x, unsigned shift) {
-  mpz_class numerator = x.p << shift;
-  if (x.sigma != 0) {
-    const mpz_class square = x.e << (2 * shift);
-    mpz_class root = sqrt(square);
-    if (x.sigma > 0) {
-      numerator += root;
-    } else {
-      numerator -= root * root == square ? root : root + 1;
-    }
-  }
-  mpz_class quotient;
-  mpz_fdiv_q(quotient.get_mpz_t(), numerator.get_mpz_t(), x.r.get_mpz_t());
-  return quotient;
+// Narrow enough for doubles to tell it from most others.
+LineRoot root_within(const std::shared_ptr<const Polynomial>& f, const DyadicInterval& within) {
+  RefinedRoot root(*f, within);
+  constexpr int most_halvings = 96;
+  for (int i = 0; i < most_halvings && !root.is_point(); ++i) root.halve();
+  return {f, near_of(root.within()), root.within()};
 }
 
-LineRoot make_root(mpz_class p, mpz_class e, mpz_class r, int sigma) {
-  const auto scale = static_cast<long>(mpz_sizeinbase(r.get_mpz_t(), 2));
-  Interval numerator = enclosure(p, scale);
-  if (sigma > 0) numerator = numerator + square_root(enclosure(e, 2 * scale));
-  if (sigma < 0) numerator = numerator - square_root(enclosure(e, 2 * scale));
-  const Interval near = numerator / enclosure(r, scale);
-  return {std::move(p), std::move(e), std::move(r), sigma, near};
+std::vector<LineRoot> isolated_roots(const Polynomial& f) {
+  const auto once = std::make_shared<const Polynomial>(squarefree_part(f));
+  std::vector<LineRoot> roots;
+  for (const DyadicInterval& within : isolating_intervals(*once)) roots.push_back(root_within(once, within));
+  return roots;
 }
 
-// An integer well inside (a, b), in the sense of the enclosures, or the midpoint of a wide enough gap.
-std::optional<double> quick_between(const LineRoot& a, const LineRoot& b) {
-  constexpr double largest = 0x1p40;  // doubles here carry at least 12 bits after the point
-  if (!(a.near.high > -largest && b.near.low < largest)) return std::nullopt;
-  const double integer = std::floor(a.near.high) + 1;
-  if (integer < b.near.low) return integer;
-  const double middle = std::round((a.near.high + b.near.low) / 2 * 0x1p10) * 0x1p-10;
-  if (a.near.high < middle && middle < b.near.low) return middle;
-  return std::nullopt;
+std::vector<LineRoot> roots_of_second_order(const Polynomial& f) {
+  const mpz_class e = f[1] * f[1] - 4 * f[2] * f[0];
+  if (sgn(e) < 0) return {};
+  if (sgn(e) == 0) return {rational_root(-f[1], 2 * f[2])};
+  const auto scale = static_cast<long>(mpz_sizeinbase(f[2].get_mpz_t(), 2));
+  const Interval root = square_root(enclosure(e, 2 * scale));
+  const Interval middle = enclosure(sgn(f[2]) > 0 ? mpz_class(-f[1]) : f[1], scale);
+  const Interval divisor = enclosure(2 * abs(f[2]), scale);
+  const Interval low = (middle - root) / divisor;
+  const Interval high = (middle + root) / divisor;
+  if (!std::isfinite(low.low) || !std::isfinite(high.high) || !(low.high < high.low)) return isolated_roots(f);
+  const auto shared = std::make_shared<const Polynomial>(f);
+  return {{shared, low, std::nullopt}, {shared, high, std::nullopt}};
+}
+
+std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
+  const int count = count_of_real_roots(f);
+  if (count == 0) return {};
+  if (count < 0) return isolated_roots(f);
+  const std::vector<Interval> found = certain_sign_changes(f);
+  if (static_cast<int>(found.size()) != count) return isolated_roots(f);
+  const auto shared = std::make_shared<const Polynomial>(f);
+  std::vector<LineRoot> roots;
+  for (const Interval& near : found) roots.push_back({shared, near, std::nullopt});
+  return roots;
+}
+
+// In doubles: 0 if it is not sure.
+int quick_sign_at(const Polynomial& g, const Interval& x) {
+  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
+  if (!(x.low > -largest && x.high < largest)) return 0;
+  std::size_t bits = 0;
+  for (const mpz_class& c : g) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  Interval value{};
+  for (std::size_t i = g.size(); i-- > 0;) value = value * x + enclosure(g[i], static_cast<long>(bits));
+  return value.positive() ? 1 : value.negative() ? -1 : 0;
+}
+
+// Of all numbers in the interval, if it is one.
+std::optional<mpz_class> common_floor(const Interval& x) {
+  const double floor = std::floor(x.low);
+  if (!(std::abs(floor) < 0x1p50) || floor != std::floor(x.high)) return std::nullopt;
+  return mpz_class(floor);
+}
+
+// Narrows the interval to less than 1, so that it holds at most one integer: the first that is not below it.
+mpz_class first_integer(RefinedRoot& root) {
+  const auto is_wide = [](const DyadicInterval& x) { return x.high - x.low >= mpz_class(1) << x.shift; };
+  while (is_wide(root.within())) root.halve();
+  mpz_class integer;
+  mpz_cdiv_q_2exp(integer.get_mpz_t(), root.within().low.get_mpz_t(), root.within().shift);
+  return integer;
 }
 
 }  // namespace
 
-LinePolynomial restricted(const Curve& p, const mpz_class& y) {
+Polynomial restricted(const Curve& p, const mpz_class& y) {
   const auto& q = p.q;
-  return {q[0], q[1] * y + q[3], (q[2] * y + q[4]) * y + q[5]};
+  return {(q[2] * y + q[4]) * y + q[5], q[1] * y + q[3], q[0]};
 }
 
-std::vector<LineRoot> real_roots(const LinePolynomial& f) {
-  if (sgn(f.c2) == 0) {
-    if (sgn(f.c1) == 0) return {};
-    return {rational_root(-f.c0, f.c1)};
-  }
-  const mpz_class e = f.c1 * f.c1 - 4 * f.c2 * f.c0;
-  if (sgn(e) < 0) return {};
-  if (sgn(e) == 0) return {rational_root(-f.c1, 2 * f.c2)};
-  const int up = sgn(f.c2);
-  const mpz_class p = up > 0 ? mpz_class(-f.c1) : f.c1;
-  const mpz_class r = 2 * abs(f.c2);
-  return {make_root(p, e, r, -1), make_root(p, e, r, 1)};
+std::vector<LineRoot> real_roots(const Polynomial& f) {
+  const Polynomial g = trimmed(f);
+  if (g.size() <= 1) return {};
+  if (g.size() == 2) return {rational_root(-g[0], g[1])};
+  return g.size() == 3 ? roots_of_second_order(g) : roots_of_higher_order(g);
 }
 
 int compare(const LineRoot& a, const LineRoot& b) {
   if (a.near.high < b.near.low) return -1;
   if (a.near.low > b.near.high) return 1;
-  const mpz_class rational = a.p * b.r - b.p * a.r;
-  if (a.sigma == 0 && b.sigma == 0) return sgn(rational);
-  if (b.sigma == 0) return sign_of(rational, a.sigma * b.r, a.e);
-  if (a.sigma == 0) return sign_of(rational, -b.sigma * a.r, b.e);
-  // rational + s sqrt(f) + t sqrt(g)
-  const mpz_class f = b.r * b.r * a.e;
-  const mpz_class g = a.r * a.r * b.e;
-  const int s = a.sigma;
-  const int t = -b.sigma;
-  const int irrational = s == t ? s : s * cmp(f, g);
-  const int sign = sgn(rational);
-  if (sign * irrational >= 0) return sign != 0 ? sign : irrational;
-  const mpz_class difference = rational * rational - f - g;
-  return sign * sign_of(difference, -2 * s * t, f * g);
-}
-
-mpz_class floor_of(const LineRoot& x) { return scaled_floor(x, 0); }
-
-mpz_class ceiling_of(const LineRoot& x) {
-  const LineRoot negated{-x.p, x.e, x.r, -x.sigma, {}};
-  return -scaled_floor(negated, 0);
-}
-
-LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator) {
-  return make_root(sgn(denominator) < 0 ? mpz_class(-numerator) : numerator, 0, abs(denominator), 0);
-}
-
-LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
-  if (const auto x = quick_between(a, b)) return rational_root(mpz_class(*x * 0x1p10), 1 << 10);
-  for (unsigned shift = 0;; shift += 4) {  // ends: the floors part once 2^shift (b - a) >= 2
-    const mpz_class low = scaled_floor(a, shift);
-    const mpz_class high = scaled_floor(b, shift);
-    if (high - low < 2) continue;
-    const mpz_class middle = low + (high - low) / 2;  // a < low + 1 <= middle < high <= b, in units of 2^-shift
-    return rational_root(middle, mpz_class(1) << shift);
+  const Polynomial common = greatest_common_divisor(*a.f, *b.f);
+  RefinedRoot first(a);
+  RefinedRoot second(b);
+  const bool may_be_equal = first.is_root_of(common) && second.is_root_of(common);
+  while (true) {  // ends: different numbers come apart, and around equal ones the divisor's other roots are left behind
+    const int sign = order(first.within(), second.within());
+    if (sign != 0) return sign;
+    if (may_be_equal && holds_one_root(common, first.within(), second.within())) return 0;
+    first.halve();
+    second.halve();
   }
 }
 
-LinePoint::LinePoint(const LineRoot& x) : x_(x), p_squared_plus_e_(x.p * x.p), p_r_(x.p * x.r), r_squared_(x.r * x.r) {
-  if (x.sigma != 0) p_squared_plus_e_ += x.e;
+int sign_at(const Polynomial& g, const LineRoot& x) {
+  if (const int sign = quick_sign_at(g, x.near); sign != 0) return sign;
+  if (x.f->size() == 2) return sgn(scaled_value_at(g, -(*x.f)[0], (*x.f)[1]));
+  RefinedRoot root(x);
+  if (degree(g) < 0 || root.is_root_of(greatest_common_divisor(*x.f, g))) return 0;
+  while (!root.keeps_sign(g)) root.halve();  // ends: g is not 0 at x
+  return root.sign_inside(g);
 }
 
-Surd LinePoint::quadratic(const LinePolynomial& f) const {
-  Surd value{f.c2 * p_squared_plus_e_ + f.c1 * p_r_ + f.c0 * r_squared_, 0};
-  if (x_.sigma != 0) value.v = x_.sigma * (2 * f.c2 * x_.p + f.c1 * x_.r);
-  return value;
+mpz_class floor_of(const LineRoot& x) {
+  if (const auto floor = common_floor(x.near)) return *floor;
+  RefinedRoot root(x);
+  const mpz_class next = first_integer(root);
+  return root.compare_to_integer(next) < 0 ? mpz_class(next - 1) : next;
 }
 
-Surd LinePoint::linear(const LinePolynomial& f) const { return {f.c1 * x_.p + f.c0 * x_.r, x_.sigma * f.c1}; }
-
-Surd LinePoint::times(const Surd& a, const Surd& b) const {
-  if (x_.sigma == 0) return {a.u * b.u, 0};
-  return {a.u * b.u + a.v * b.v * x_.e, a.u * b.v + a.v * b.u};
+mpz_class ceiling_of(const LineRoot& x) {
+  if (const auto floor = common_floor(x.near)) {
+    if (x.near.low > floor->get_d()) return *floor + 1;
+  }
+  RefinedRoot root(x);
+  const mpz_class next = first_integer(root);
+  return root.compare_to_integer(next) > 0 ? mpz_class(next + 1) : next;
 }
 
-int LinePoint::sign(const Surd& a) const { return x_.sigma == 0 ? sgn(a.u) : sign_of(a.u, a.v, x_.e); }
+LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator) {
+  const bool negative = sgn(denominator) < 0;
+  auto f = std::make_shared<const Polynomial>(
+      Polynomial{negative ? numerator : mpz_class(-numerator), negative ? mpz_class(-denominator) : denominator});
+  const auto scale = static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2));
+  const Interval near = enclosure(-(*f)[0], scale) / enclosure((*f)[1], scale);
+  if (!std::isfinite(near.low) || !std::isfinite(near.high)) return root_within(f, isolating_intervals(*f).front());
+  return {std::move(f), near, std::nullopt};
+}
 
-int LinePoint::sign(const Surd& a, const Surd& b, const Surd& d) const {
-  const int sign_a = sign(a);
-  const int sign_b = sign(b) * sign(d);
-  if (sign_a * sign_b >= 0) return sign_a != 0 ? sign_a : sign_b;
-  const Surd a_squared = times(a, a);
-  const Surd b_squared_d = times(times(b, b), d);
-  return sign_a * sign({a_squared.u - b_squared_d.u, a_squared.v - b_squared_d.v});
+LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
+  RefinedRoot first(a);
+  RefinedRoot second(b);
+  while (order(first.within(), second.within()) == 0) {
+    first.halve();
+    second.halve();
+  }
+  const DyadicInterval& low = first.within();
+  const DyadicInterval& high = second.within();
+  return rational_root((low.high << high.shift) + (high.low << low.shift), mpz_class(1) << (low.shift + high.shift + 1));
 }
 
 }  // namespace halfspace

@@ -1,11 +1,9 @@
 #include "host/resolve/resolve.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/face_cells.hpp"
-#include "host/resolve/quadric_meeting.hpp"
 
 namespace halfspace {
 namespace {
@@ -13,18 +11,6 @@ namespace {
 Extent local_extent(const IntegerBody& body, const Scissor& scissor) {
   return {scissor.x0 - body.origin[0], scissor.y0 - body.origin[1], scissor.x1 - body.origin[0],
           scissor.y1 - body.origin[1]};
-}
-
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
-
-Diagnostic meeting_error(const IntegerBody& body, const Sheets& sheets, const QuadricMeeting& meeting) {
-  const auto page = [](double local, std::int64_t origin) { return std::to_string(std::llround(local) + origin); };
-  return {Severity::error, body.position,
-          "the quadrics " + quoted(body.half_spaces[sheets.half_space].name) + " and " +
-              quoted(body.half_spaces[meeting.other].name) + " meet inside body " + quoted(body.name) + ", near dot (" +
-              page(meeting.x, body.origin[0]) + ", " + page(meeting.y, body.origin[1]) +
-              "); an edge between two quadrics cannot be drawn yet: keep them apart, or bound the body by planes "
-              "before they meet"};
 }
 
 struct ResolvedHalfSpace {
@@ -38,8 +24,14 @@ void append_face(const IntegerBody& body, const Face& face, const FaceCells& fou
   const auto page_x = [&body](std::int64_t x) { return static_cast<std::int32_t>(x + body.origin[0]); };
   const auto page_y = [&body](std::int64_t y) { return static_cast<std::int32_t>(y + body.origin[1]); };
   for (const NamedCell& cell : found.cells) {
-    const std::int32_t y0 = page_y(cell.y0);
-    scene.cells.push_back({index, arcs.arc(cell.left, y0), arcs.arc(cell.right, y0), y0, page_y(cell.y1)});
+    const std::int32_t y1 = page_y(cell.y1);
+    for (std::int32_t y0 = page_y(cell.y0); y0 <= y1;) {  // a cell for each pair of arcs
+      const ArcTable::Piece left = arcs.piece(cell.left, y0);
+      const ArcTable::Piece right = arcs.piece(cell.right, y0);
+      const std::int32_t last = std::min({y1, left.y1, right.y1});
+      scene.cells.push_back({index, left.arc, right.arc, y0, last});
+      y0 = last + 1;
+    }
   }
   for (const DotSpan& span : found.spans) {
     scene.spans.push_back({index, page_y(span.y), page_x(span.x0), page_x(span.x1)});
@@ -56,39 +48,35 @@ void use_arcs(const IntegerBody& body, const FaceCells& face, ArcTable& arcs) {
   }
 }
 
-// The sheets of the opaque half-spaces, or the error that stands in the way.
-std::vector<Sheets> opaque_sheets(const IntegerBody& body, const Extent& extent, Diagnostics& diagnostics) {
+std::vector<Sheets> opaque_sheets(const IntegerBody& body) {
   std::vector<Sheets> all;
   for (std::uint32_t i = 0; i < body.half_spaces.size(); ++i) {
     if (body.half_spaces[i].transparent) continue;
     Sheets sheets = sheets_of(body, i);
-    if (sheets.shape == SheetShape::none) continue;
-    if (const auto meeting = find_meeting(sheets, extent)) {
-      diagnostics.push_back(meeting_error(body, sheets, *meeting));
-      return {};
-    }
-    all.push_back(std::move(sheets));
+    if (sheets.shape != SheetShape::none) all.push_back(std::move(sheets));
   }
   return all;
 }
 
-void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces, ResolveResult& result) {
+void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces, ResolvedScene& resolved_scene) {
   const IntegerBody& body = scene.bodies[index];
   const Extent extent = local_extent(body, scene.scissor);
   if (extent.x0 > extent.x1 || extent.y0 > extent.y1) return;
   const bool hide = !all_faces && rays_start_outside(body);
-  ArcTable arcs;
+  const std::vector<Sheets> opaque = opaque_sheets(body);
+  ArcTable arcs(body.origin[1]);
+  QuarticTable table(extent.y0, extent.y1);
   std::vector<ResolvedHalfSpace> resolved;
-  for (const Sheets& sheets : opaque_sheets(body, extent, result.diagnostics)) {
+  for (const Sheets& sheets : opaque) {
     const HiddenExits exits = hide ? hidden_exits(body, sheets) : HiddenExits{};
-    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, arcs)});
+    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, table, arcs)});
     for (const FaceCells& face : resolved.back().faces) use_arcs(body, face, arcs);
   }
-  arcs.join_uses(index, result.scene.arcs);
+  arcs.join_uses(index, extent, table, resolved_scene.arcs);
   for (const ResolvedHalfSpace& half_space : resolved) {
     for (const FaceCells& face : half_space.faces) {
       if (face.cells.empty() && face.spans.empty()) continue;
-      append_face(body, {index, half_space.half_space, face.sheet}, face, arcs, result.scene);
+      append_face(body, {index, half_space.half_space, face.sheet}, face, arcs, resolved_scene);
     }
   }
 }
@@ -97,7 +85,7 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
 
 ResolveResult resolve(const IntegerScene& scene, bool all_faces) {
   ResolveResult result;
-  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result);
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result.scene);
   return result;
 }
 

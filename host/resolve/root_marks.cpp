@@ -6,29 +6,9 @@
 namespace halfspace {
 namespace {
 
-mpz_class value_at(const Polynomial& p, std::int64_t y) {
-  mpz_class value = 0;
-  for (std::size_t i = p.size(); i-- > 0;) value = value * static_cast<long>(y) + p[i];
-  return value;
-}
-
-Polynomial derivative(const Polynomial& p) {
-  Polynomial d;
-  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * static_cast<unsigned long>(i));
-  return d;
-}
-
-// Coefficients of p(y + shift).
-Polynomial shifted(Polynomial p, std::int64_t shift) {
-  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    for (std::size_t j = p.size() - 1; j-- > i;) p[j] += p[j + 1] * static_cast<long>(shift);
-  }
-  return p;
-}
-
 // May p vanish on (i, i + 1)? With t = y - i in [0, 1] every term t^k lies between 0 and 1, which bounds p from 0.
 bool may_vanish_after(const Polynomial& p, std::int64_t i) {
-  const Polynomial t = shifted(p, i);
+  const Polynomial t = shifted(p, static_cast<long>(i));
   const int side = sgn(t[0]);
   mpz_class nearest = abs(t[0]);
   for (std::size_t k = 1; k < t.size(); ++k) {
@@ -40,14 +20,14 @@ bool may_vanish_after(const Polynomial& p, std::int64_t i) {
 // The root of p in [from, to], where p is strictly monotone.
 void mark_monotone_run(const Polynomial& p, std::int64_t from, std::int64_t to, std::vector<Mark>& marks) {
   if (from > to) return;
-  const int before = sgn(value_at(p, from));
+  const int before = sgn(value_at(p, static_cast<long>(from)));
   if (before == 0) return marks.push_back(2 * from);
-  const int after = sgn(value_at(p, to));
+  const int after = sgn(value_at(p, static_cast<long>(to)));
   if (after == 0) return marks.push_back(2 * to);
   if (before == after) return;
   while (to - from > 1) {
     const std::int64_t middle = from + (to - from) / 2;
-    const int sign = sgn(value_at(p, middle));
+    const int sign = sgn(value_at(p, static_cast<long>(middle)));
     if (sign == 0) return marks.push_back(2 * middle);
     (sign == before ? from : to) = middle;
   }
@@ -59,26 +39,6 @@ struct InPowersOfX {
   Polynomial a2, a1, a0;
   explicit InPowersOfX(const Curve& p) : a2{p.q[0]}, a1{p.q[3], p.q[1]}, a0{p.q[5], p.q[4], p.q[2]} {}
 };
-
-Polynomial times(const Polynomial& p, const Polynomial& q) {
-  Polynomial r(p.size() + q.size() - 1);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < q.size(); ++j) r[i + j] += p[i] * q[j];
-  }
-  return r;
-}
-
-Polynomial minus(Polynomial p, const Polynomial& q) {
-  if (p.size() < q.size()) p.resize(q.size());
-  for (std::size_t i = 0; i < q.size(); ++i) p[i] -= q[i];
-  return p;
-}
-
-Polynomial plus(Polynomial p, const Polynomial& q) {
-  if (p.size() < q.size()) p.resize(q.size());
-  for (std::size_t i = 0; i < q.size(); ++i) p[i] += q[i];
-  return p;
-}
 
 int degree_in_x(const Curve& p) {
   if (sgn(p.q[0]) != 0) return 2;

@@ -12,11 +12,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/resolve/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {
 
-using Polynomial = std::vector<mpz_class>;  // coefficient i belongs to y^i
 using Mark = std::int64_t;
 
 // Sorted, none twice. The zero polynomial and constants have none.

@@ -1,21 +1,16 @@
 #include "host/resolve/row_intervals.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace halfspace {
 namespace {
 
-bool within(const LineRoot& x, const std::optional<DotRange>& range) {
-  return !range || (compare(x, range->first) >= 0 && compare(x, range->last) <= 0);
-}
-
 // A point of the open cell left of root i.
-LineRoot sample(const std::vector<RowRoot>& roots, std::size_t i) {
-  if (roots.empty()) return rational_root(0, 1);
-  if (i == 0) return rational_root(floor_of(roots.front().x) - 1, 1);
-  if (i == roots.size()) return rational_root(ceiling_of(roots.back().x) + 1, 1);
-  return rational_between(roots[i - 1].x, roots[i].x);
+RowPoint sample(const std::vector<RowRoot>& roots, std::size_t i) {
+  if (roots.empty()) return RowPoint(0.0);
+  if (i == 0) return point_below(roots.front().x);
+  if (i == roots.size()) return point_above(roots.back().x);
+  return point_between(roots[i - 1].x, roots[i].x);
 }
 
 bool passes_through(const RowRoot& root, std::uint32_t curve) {
@@ -25,16 +20,14 @@ bool passes_through(const RowRoot& root, std::uint32_t curve) {
 
 // Cell 0, root 0, cell 1, ... cell n: does each show?
 std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
-                               std::uint32_t pole, const std::optional<DotRange>& range) {
+                               std::uint32_t pole) {
   std::vector<bool> shown(2 * roots.size() + 1);
   for (std::size_t i = 0; i <= roots.size(); ++i) {
-    const LineRoot x = sample(roots, i);
-    shown[2 * i] = within(x, range) && presence.shows_at(x, y);
+    shown[2 * i] = presence.shows_at(sample(roots, i), y);
   }
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (passes_through(roots[i], pole)) continue;
-    const LineRoot& x = roots[i].x;
-    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || (within(x, range) && presence.shows_at(x, y));
+    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || presence.shows_at(roots[i].x, y);
   }
   return shown;
 }
@@ -42,8 +35,8 @@ std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y
 }  // namespace
 
 std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
-                                       std::uint32_t pole, const std::optional<DotRange>& range) {
-  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole, range);
+                                       std::uint32_t pole) {
+  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole);
   std::vector<RowInterval> intervals;
   const int pieces = static_cast<int>(shown.size());
   for (int first = 0; first < pieces; ++first) {

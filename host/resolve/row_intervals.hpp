@@ -5,7 +5,6 @@
 //                                           decided at the root itself, exactly, and may be an interval of one point.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "host/resolve/scan_rows.hpp"
@@ -20,14 +19,8 @@ struct RowInterval {
   bool left_open = false, right_open = false;  // the root itself does not show: only a rational sheet's poles
 };
 
-struct DotRange {
-  LineRoot first, last;
-};
-
-// `pole`: the index of the curve on which a rational sheet does not exist, or no_arc. With a range, whose ends are then among the
-// roots, nothing shows outside it.
+// `pole`: the index of the curve on which a rational sheet does not exist, or no_arc.
 [[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y,
-                                                     const SheetPresence& presence, std::uint32_t pole,
-                                                     const std::optional<DotRange>& range);
+                                                     const SheetPresence& presence, std::uint32_t pole);
 
 }  // namespace halfspace

@@ -2,37 +2,49 @@
 
 #include <algorithm>
 
+#include "host/resolve/sheet_form.hpp"
+
 namespace halfspace {
 namespace {
 
-std::vector<Mark> critical_marks(const std::vector<Curve>& curves, std::int64_t y0, std::int64_t y1) {
-  std::vector<Mark> marks;
-  const auto add = [&](const Polynomial& p) {
-    const std::vector<Mark> found = root_marks(p, y0, y1);
-    marks.insert(marks.end(), found.begin(), found.end());
-  };
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    add(turning_lines(curves[i]));
-    for (std::size_t j = 0; j < i; ++j) add(meeting_lines(curves[i], curves[j]));
-  }
-  std::sort(marks.begin(), marks.end());
-  marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
-  return marks;
+// The sign of the coefficient of x on line y.
+int sign_of_slope(const Curve& curve, std::int64_t y) {
+  if (sgn(curve.q[1]) == 0) return sgn(curve.q[3]);
+  return sgn(mpz_class(curve.q[1] * static_cast<long>(y) + curve.q[3]));
 }
 
 // The roots of one curve, ascending, each under the names of its branches.
-std::vector<RowRoot> roots_of_curve(const Curve& curve, std::uint32_t index, std::int64_t y) {
-  const LinePolynomial f = restricted(curve, static_cast<long>(y));
+std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t index, std::int64_t y) {
   std::vector<RowRoot> named;
-  for (LineRoot& x : real_roots(f)) named.push_back({std::move(x), {}});
+  for (RowPoint& x : roots_on_row(traced.curve, traced.enclosed, y)) named.push_back({std::move(x), {}, {}});
   if (named.empty()) return named;
-  if (sgn(f.c2) == 0) {
-    named.front().curves = {{index, Branch::single, sgn(f.c1) < 0}};
+  if (sgn(traced.curve.q[0]) == 0) {
+    named.front().curves = {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
   } else if (named.size() == 1) {
     named.front().curves = {{index, Branch::left, false}, {index, Branch::right, false}};
   } else {
     named[0].curves = {{index, Branch::left, false}};
     named[1].curves = {{index, Branch::right, false}};
+  }
+  return named;
+}
+
+// The roots of one quartic, ascending, each under its names on the sheets where it is a root of a constraint.
+std::vector<RowRoot> roots_of_quartic(const Sheets& sheets, const TracedQuartic& traced, std::uint32_t index,
+                                      std::int64_t y) {
+  std::vector<RowRoot> named;
+  for (LineRoot& x : real_roots(restricted(traced.curve, static_cast<long>(y)))) {
+    named.push_back({RowPoint(std::move(x)), {}, {}});
+  }
+  if (named.empty()) return named;
+  for (const std::uint32_t constraint : traced.constraints) {
+    const ValueOnLine value(sheets, sheets.constraints[constraint], static_cast<long>(y));
+    for (const Sheet sheet : sheets_in(sheets)) {
+      std::uint32_t rank = 0;
+      for (RowRoot& root : named) {
+        if (value.vanishes(sheet, root.x.exact())) root.quartics.push_back({index, constraint, sheet, rank++});
+      }
+    }
   }
   return named;
 }
@@ -43,6 +55,7 @@ void insert_root(RowRoot&& root, std::vector<RowRoot>& roots) {
   while (at != roots.end() && (order = compare(root.x, at->x)) > 0) ++at;
   if (at != roots.end() && order == 0) {
     at->curves.insert(at->curves.end(), root.curves.begin(), root.curves.end());
+    at->quartics.insert(at->quartics.end(), root.quartics.begin(), root.quartics.end());
   } else {
     roots.insert(at, std::move(root));
   }
@@ -50,14 +63,14 @@ void insert_root(RowRoot&& root, std::vector<RowRoot>& roots) {
 
 }  // namespace
 
-std::vector<ScanRow> scan_rows(const std::vector<Curve>& curves, std::int64_t y0, std::int64_t y1) {
+std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1) {
   std::vector<ScanRow> rows;
   std::int64_t next = y0;
   const auto slab_up_to = [&](std::int64_t last) {
     if (next <= last) rows.push_back({next, last, false});
     next = last + 1;
   };
-  for (const Mark mark : critical_marks(curves, y0, y1)) {
+  for (const Mark mark : marks) {
     if (mark % 2 != 0) {
       slab_up_to((mark - 1) / 2);
     } else {
@@ -70,10 +83,13 @@ std::vector<ScanRow> scan_rows(const std::vector<Curve>& curves, std::int64_t y0
   return rows;
 }
 
-std::vector<RowRoot> roots_on_line(const std::vector<Curve>& curves, std::int64_t y) {
+std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y) {
   std::vector<RowRoot> roots;
-  for (std::uint32_t i = 0; i < curves.size(); ++i) {
-    for (RowRoot& root : roots_of_curve(curves[i], i, y)) insert_root(std::move(root), roots);
+  for (std::uint32_t i = 0; i < bounds.curves.size(); ++i) {
+    for (RowRoot& root : roots_of_curve(bounds.curves[i], i, y)) insert_root(std::move(root), roots);
+  }
+  for (std::uint32_t i = 0; i < bounds.quartics.size(); ++i) {
+    for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y)) insert_root(std::move(root), roots);
   }
   return roots;
 }

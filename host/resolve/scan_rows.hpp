@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/resolve/line_root.hpp"
-#include "host/resolve/resolved_scene.hpp"
 #include "host/resolve/root_marks.hpp"
+#include "host/resolve/row_point.hpp"
+#include "host/resolve/sheet.hpp"
 
 namespace halfspace {
 
@@ -28,8 +28,8 @@ struct ScanRow {
   bool singular = false;  // then y0 = y1
 };
 
-// No two of the curves have a common component.
-[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Curve>& curves, std::int64_t y0, std::int64_t y1);
+// Marks are sorted, none twice.
+[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1);
 
 // A curve through a root: Branch::single means the curve with the sign that makes its x coefficient positive on this line.
 struct CurveBranch {
@@ -38,13 +38,21 @@ struct CurveBranch {
   bool negated = false;
 };
 
-// One point of a scan line with every curve that passes through it.
-struct RowRoot {
-  LineRoot x;
-  std::vector<CurveBranch> curves;
+// A quartic through a root: of the roots at which one constraint is 0 on one sheet it is the `rank`th on this line.
+struct QuarticBranch {
+  std::uint32_t quartic = 0, constraint = 0;  // indices
+  Sheet sheet = Sheet::only;
+  std::uint32_t rank = 0;
 };
 
-// Ascending, distinct.
-[[nodiscard]] std::vector<RowRoot> roots_on_line(const std::vector<Curve>& curves, std::int64_t y);
+// One point of a scan line with every curve that passes through it.
+struct RowRoot {
+  RowPoint x;
+  std::vector<CurveBranch> curves;
+  std::vector<QuarticBranch> quartics;
+};
+
+// Ascending, distinct. Points keep pointers to the curves.
+[[nodiscard]] std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y);
 
 }  // namespace halfspace

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "host/resolve/pencil.hpp"
-
 namespace halfspace {
 namespace {
 
@@ -24,30 +22,43 @@ SheetShape shape_of(const Surface& surface, bool curved) {
 // Are the coefficients of s and t proportional?
 bool same_surface(const Surface& s, const Surface& t) {
   const auto coefficients = [](const Surface& f) {
-    return std::array{f.b.q[3], f.b.q[4], f.b.q[5], f.a, f.c.q[0], f.c.q[1], f.c.q[2], f.c.q[3], f.c.q[4], f.c.q[5]};
+    return std::array{&f.a,      &f.b.q[3], &f.b.q[4], &f.b.q[5], &f.c.q[0],
+                      &f.c.q[1], &f.c.q[2], &f.c.q[3], &f.c.q[4], &f.c.q[5]};
   };
   const auto p = coefficients(s);
   const auto q = coefficients(t);
-  const auto leading = std::find_if(p.begin(), p.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if ((sgn(*p[i]) == 0) != (sgn(*q[i]) == 0)) return false;
+  }
+  const auto leading = std::find_if(p.begin(), p.end(), [](const mpz_class* c) { return sgn(*c) != 0; });
   if (leading == p.end()) return false;
   const auto i = static_cast<std::size_t>(leading - p.begin());
-  if (sgn(q[i]) == 0) return false;
-  for (std::size_t j = 0; j < p.size(); ++j) {
-    if (p[i] * q[j] != p[j] * q[i]) return false;
+  for (std::size_t j = i + 1; j < p.size(); ++j) {
+    if (*p[i] * *q[j] != *p[j] * *q[i]) return false;
   }
   return true;
 }
 
 void divide_by_common_content(Curve& p, Curve& r) {
   const mpz_class divisor = gcd(content(p), content(r));
-  if (sgn(divisor) == 0) return;
+  if (divisor <= 1) return;
   for (mpz_class& q : p.q) q /= divisor;
   for (mpz_class& q : r.q) q /= divisor;
 }
 
-// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a.
+// Of a plane, 2 a (b' z + c') on z = (-b + t sqrt(d)) / 2a.
+Curve plane_on_two_sheets(const Surface& own, const Surface& plane) {
+  return 2 * own.a * plane.c - plane.b.q[5] * own.b;
+}
+
+// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a.
 void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   const Surface& k = other.surface;
+  if (sgn(k.a) == 0 && is_constant(k.b)) {
+    other.p = plane_on_two_sheets(own, k);
+    other.r = k.b;
+    return;
+  }
   const Curve bb = product_of_lines(own.b, own.b);
   other.p = k.a * (bb - 2 * own.a * own.c) - own.a * product_of_lines(own.b, k.b) + 2 * own.a * own.a * k.c;
   other.r = own.a * k.b - k.a * own.b;
@@ -78,15 +89,51 @@ Curve section(const Surface& quadric, const Surface& plane) {
          slope * slope * quadric.c;
 }
 
-// On a curved sheet: which plane, if any, settles the constraint's sign?
-void set_plane(const IntegerHalfSpace& own, const IntegerHalfSpace& other, Constraint& k) {
-  if (!is_curved(other)) {
-    k.plane = k.surface;
-    return;
+// P and R of the plane on two sheets, up to a factor.
+std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane) {
+  if (sheets.shape != SheetShape::two_sheets) return std::nullopt;
+  return Section{plane_on_two_sheets(sheets.surface, plane), plane.b.q[5]};
+}
+
+// On a curved sheet.
+void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Constraint& other) {
+  const Surface& own = sheets.surface;
+  const Surface& k = other.surface;
+  if (!is_curved(half_space)) {
+    other.plane = k;
+  } else if (sheets.shape == SheetShape::two_sheets) {
+    other.n = product(other.p, other.p) - product(product_of_lines(other.r, other.r), sheets.d);
+  } else {
+    other.n = k.a * product(own.c, own.c) - product(product_of_lines(k.b, own.b), own.c) +
+              product(product_of_lines(own.b, own.b), k.c);
   }
-  const auto sign = constant_sign(own, other);
-  k.untraced = !sign;
-  if (sign && sign->touching) k.plane = surface_of(*sign->touching);
+}
+
+bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
+
+void add_quartic(const QuarticForm& curve, std::uint32_t constraint, std::vector<TracedQuartic>& quartics) {
+  const auto known = std::find_if(quartics.begin(), quartics.end(),
+                                  [&curve](const TracedQuartic& traced) { return traced.curve.q == curve.q; });
+  if (known != quartics.end()) {
+    known->constraints.push_back(constraint);
+  } else {
+    quartics.push_back({curve, {constraint}});
+  }
+}
+
+// The curves of a quadric on a quadric's sheets. n vanishes throughout where both hold a plane: then P^2 = R^2 d, and the value
+// P + R sqrt(d) changes sign on P = 0 at most.
+void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& table, BoundingCurves& bounds) {
+  const Constraint& k = sheets.constraints[index];
+  const bool later = k.half_space > sheets.half_space;
+  if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
+  const PlaneFactors& parts = table.factors_of(k.n);
+  std::optional<Section> section;
+  if (sheets.shape == SheetShape::two_sheets && is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
+  for (const Curve& part : parts.curves) {
+    trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
+  }
+  for (const QuarticForm& part : parts.quartics) add_quartic(part, index, bounds.quartics);
 }
 
 }  // namespace
@@ -121,39 +168,45 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
-    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}};
+    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}, {}};
     if (same_surface(sheets.surface, other.surface)) continue;
     set_form(sheets, other);
-    if (sheets.curved) set_plane(own, body.half_spaces[k], other);
+    if (sheets.curved) set_meeting(sheets, body.half_spaces[k], other);
     sheets.constraints.push_back(std::move(other));
   }
   return sheets;
 }
 
-bool has_untraced_constraint(const Sheets& sheets) {
-  return std::any_of(sheets.constraints.begin(), sheets.constraints.end(),
-                     [](const Constraint& k) { return k.untraced; });
+std::vector<Sheet> sheets_in(const Sheets& sheets) {
+  if (sheets.shape == SheetShape::none) return {};
+  if (sheets.shape == SheetShape::two_sheets) return {Sheet::front, Sheet::back};
+  return {Sheet::only};
 }
 
 bool has_zero_constraint(const Sheets& sheets) {
   return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
     if (!sheets.curved) return is_zero(k.p);
-    return k.plane && is_zero(section(sheets.surface, *k.plane));
+    return k.plane ? is_zero(section(sheets.surface, *k.plane)) : is_zero(k.n);
   });
 }
 
-std::vector<Curve> bounding_curves(const Sheets& sheets) {
-  std::vector<Curve> curves;
-  if (sheets.shape == SheetShape::two_sheets) append_factors(sheets.d, curves);
-  if (sheets.shape == SheetShape::rational) append_factors(sheets.surface.b, curves);
-  for (const Constraint& k : sheets.constraints) {
+BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
+  BoundingCurves bounds;
+  std::vector<TracedCurve>& curves = bounds.curves;
+  if (sheets.shape == SheetShape::two_sheets) trace(sheets.d, Section{Curve{}, 1}, false, curves);
+  if (sheets.shape == SheetShape::rational) trace(sheets.surface.b, std::nullopt, false, curves);
+  for (std::uint32_t i = 0; i < sheets.constraints.size(); ++i) {
+    const Constraint& k = sheets.constraints[i];
+    const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
-      append_factors(k.p, curves);
+      trace(k.p, std::nullopt, later, curves);
     } else if (k.plane) {
-      append_factors(section(sheets.surface, *k.plane), curves);
+      trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
+    } else {
+      trace_meeting(sheets, i, table, bounds);
     }
   }
-  return curves;
+  return bounds;
 }
 
 }  // namespace halfspace

@@ -7,7 +7,8 @@
 // On a sheet another half-space's value a' z^2 + b' z + c' has, up to a positive factor, the sign of
 //   P + t R sqrt(d)            two_sheets, t = -1 front, 1 back: P quadratic, R linear in (x, y)
 //   P                          flat
-//   a' c^2 - b' b c + c' b^2   rational: of fourth degree, kept as it stands
+//   a' c^2 - b' b c + c' b^2   rational: of fourth degree
+// On two sheets it vanishes on parts of P^2 - R^2 d = 0, of fourth degree too.
 // Source   Ressler 1985, chapter 4, for limbs and sections; the form P + R sqrt(D) is the design's.
 #pragma once
 
@@ -17,6 +18,8 @@
 
 #include "host/flatten/integer_scene.hpp"
 #include "host/resolve/curve_algebra.hpp"
+#include "host/resolve/quartic_table.hpp"
+#include "host/resolve/traced_curve.hpp"
 
 namespace halfspace {
 
@@ -36,10 +39,9 @@ enum class SheetShape : std::uint8_t { none, flat, rational, two_sheets };
 struct Constraint {
   std::uint32_t half_space = 0;
   Surface surface;
-  Curve p, r;  // unused on a rational sheet
-  // On a curved sheet:
-  std::optional<Surface> plane;  // itself, or along which two quadrics touch that keep apart elsewhere (pencil.hpp)
-  bool untraced = false;         // a quadric that may meet the sheet's own: the curve is not traced
+  Curve p, r;                    // unused on a rational sheet
+  std::optional<Surface> plane;  // on a curved sheet: the surface, if it is a plane
+  QuarticForm n;                 // on a curved sheet, of a curved surface: P^2 - R^2 d, or the rational sheet's form
 };
 
 struct Sheets {
@@ -53,13 +55,23 @@ struct Sheets {
 
 [[nodiscard]] Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space);
 
-// Does the sign of some constraint depend on a curve that is not traced?
-[[nodiscard]] bool has_untraced_constraint(const Sheets& sheets);
+// Those that the shape has, front before back.
+[[nodiscard]] std::vector<Sheet> sheets_in(const Sheets& sheets);
 
-// Is the value of some traced constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
+// Is the value of some constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
 [[nodiscard]] bool has_zero_constraint(const Sheets& sheets);
 
-// The curves on which the sheets appear or a constraint may change sign, untraced constraints left out.
-[[nodiscard]] std::vector<Curve> bounding_curves(const Sheets& sheets);
+// Where constraint `index` may vanish: an irreducible curve of degree three or four.
+struct TracedQuartic {
+  QuarticForm curve;
+  std::vector<std::uint32_t> constraints;  // indices: of whose n it is a factor
+};
+
+// The curves on which the sheets appear or a constraint may change sign, without common components. A pole comes first.
+struct BoundingCurves {
+  std::vector<TracedCurve> curves;
+  std::vector<TracedQuartic> quartics;
+};
+[[nodiscard]] BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table);
 
 }  // namespace halfspace

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "host/resolve/enclosed_sheet.hpp"
-#include "host/resolve/line_root.hpp"
+#include "host/resolve/row_point.hpp"
 #include "host/resolve/sheet.hpp"
 
 namespace halfspace {
@@ -15,13 +15,13 @@ class SheetPresence {
   // Keeps a reference to `sheets`.
   SheetPresence(const Sheets& sheets, Sheet sheet) : sheets_(sheets), sheet_(sheet), enclosed_(sheets, sheet) {}
 
-  [[nodiscard]] bool shows_at(const LineRoot& x, std::int64_t y) const;
+  [[nodiscard]] bool shows_at(const RowPoint& x, std::int64_t y) const;
+
+  // False: the sheet is hidden all over the box of the point, its edges included.
+  [[nodiscard]] bool may_show(const IntervalPoint& point) const;
 
  private:
-  [[nodiscard]] bool shows_exactly(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_two_sheets(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_flat(const LinePoint& x, const mpz_class& y) const;
-  [[nodiscard]] bool shows_on_rational(const LinePoint& x, const mpz_class& y) const;
+  [[nodiscard]] bool shows_exactly(const LineRoot& x, const mpz_class& y) const;
 
   const Sheets& sheets_;
   Sheet sheet_;

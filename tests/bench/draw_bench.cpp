@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "firmware/core/engine.hpp"
+#include "firmware/core/memory_source.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/job/job_writer.hpp"
 #include "host/resolve/resolve.hpp"

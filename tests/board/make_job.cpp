@@ -9,6 +9,7 @@
 #include <string>
 
 #include "firmware/core/engine.hpp"
+#include "firmware/core/memory_source.hpp"
 #include "host/flatten/flatten.hpp"
 #include "host/job/job_writer.hpp"
 #include "host/job/limits.hpp"

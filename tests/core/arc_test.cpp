@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/core/engine.hpp"
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_bytes.hpp"
 #include "host/job/job_writer.hpp"
 #include "host/job/limits.hpp"

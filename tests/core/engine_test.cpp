@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_bytes.hpp"
 #include "tests/core/numbers.hpp"
 #include "tests/core/sample_job.hpp"

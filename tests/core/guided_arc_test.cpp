@@ -7,6 +7,7 @@
 #include <set>
 
 #include "firmware/core/engine.hpp"
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_writer.hpp"
 #include "host/job/limits.hpp"
 #include "tests/core/numbers.hpp"

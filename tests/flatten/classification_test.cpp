@@ -86,7 +86,9 @@ Placed placed(const Kind& kind, const std::string& size, const std::array<std::s
   return result;
 }
 
-std::optional<Quantised> quantise(const Placed& h, const Box& box) { return quantise(h.shape, h.inverse, box); }
+std::optional<Quantised> quantise(const Placed& h, const Box& box) {
+  return quantise(h.shape, h.inverse, region_of(box, 32767));
+}
 
 Box box_about(const std::array<std::string, 3>& at, Real half) {
   Box box;

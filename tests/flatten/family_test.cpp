@@ -6,11 +6,12 @@
 namespace halfspace {
 namespace {
 
-// p s - q t has no coefficient left but one: which, when the second-order parts are made equal by p and q?
+// p s - q t has no coefficient left but one, when p and q make any other equal?
 void expect_apart(const IntegerBody& body, std::size_t i, std::size_t j, bool perspective, const std::string& text) {
   const auto& s = body.half_spaces.at(i).c;
   const auto& t = body.half_spaces.at(j).c;
-  const std::size_t pivot = s[0] != 0 ? 0 : (s[1] != 0 ? 1 : 3);  // none of them depends on z
+  std::size_t pivot = 0;
+  for (const std::size_t k : {6, 5, 3, 1, 0}) pivot = s[k] != 0 ? k : pivot;  // none of them depends on z
   std::array<mpz_class, 10> apart;
   for (std::size_t k = 0; k < 10; ++k) apart[k] = t[pivot] * s[k] - s[pivot] * t[k];
   for (const std::size_t k : {0, 1, 3, 4, 5, 6, 7}) EXPECT_EQ(apart[k], 0) << text;
@@ -31,29 +32,57 @@ const char* const shells[] = {
     "quadric a <1 2 3 0 0 0 .1 .2 .3 -1>; quadric b <3 6 9 0 0 0 .3 .6 .9 -2.9999999>;",
     "quadric a <1 -1 0 0 0 0 0 0 0 -.3>; quadric b <1 -1 0 0 0 0 0 0 0 0>;",
     "quadric a <1 .3 0 0 0 0 0 0 1 -.3>; quadric b <1 .3 0 0 0 0 0 0 1 .1>;",
+    "quadric a <1 .3 0 0 0 0 .1 0 0 -1>; quadric b <1 .3 0 0 0 0 .1 0 0 -.7>;",
+    "quadric a <1 0 0 0 0 0 0 .2 .7 -.3>; quadric b <1 0 0 0 0 0 0 .2 .7 .1>;",
+    "quadric a <1 4 0 2 0 0 0 0 0 -.3>; quadric b <1 4 0 2 0 0 0 0 0 -.1>;",
+    "quadric a <0 0 0 0 0 0 .1 .2 .7 -.3>; quadric b <0 0 0 0 0 0 .1 .2 .7 .1>;",
 };
 
-TEST(Families, DifferByAConstantOfTheWorld) {
-  const std::string box = "plane l <-1 0 0 -3>; plane r <1 0 0 -3>; plane f <0 -1 0 -3>; plane k <0 1 0 -3>;";
-  for (const bool perspective : {false, true}) {
-    const std::string view = perspective ? "view v cop 5 4 -20 whw 4 whh 4;" : "view v dop 1 2 -3 whw 4 whh 4;";
-    for (const char* pair : shells) {
-      const std::string text = "definition d; " + std::string(pair) + box +
-                               "body t <a !b l r f k>; enddef; instance i (d =rx 13 =ry 17 =vxz .3 =tx .1);" + view;
-      const IntegerScene scene = flat(text, page(500, 500));
-      expect_apart(scene.bodies.at(0), 0, 1, perspective, text);
-      EXPECT_LT(scene.bound, 0x1p-12) << text;
-    }
+void expect_shells_apart(const std::string& planes, const std::string& names, const std::string& view,
+                         bool perspective) {
+  for (const char* pair : shells) {
+    std::string text = "definition d; ";
+    text.append(pair).append(planes).append("body t <a !b ").append(names);
+    text.append(">; enddef; instance i (d =rx 13 =ry 17 =vxz .3 =tx .1);").append(view);
+    const IntegerScene scene = flat(text, page(500, 500));
+    expect_apart(scene.bodies.at(0), 0, 1, perspective, text);
+    EXPECT_LT(scene.bound, 0x1p-12) << text;
   }
 }
 
-TEST(Families, AConeLeadsItsShells) {
+const std::string parallel_view = "view v dop 1 2 -3 whw 4 whh 4;";
+const std::string perspective_view = "view v cop 5 4 -20 whw 4 whh 4;";
+
+TEST(Families, DifferByAConstantOfTheWorld) {
+  const std::string box = "plane l <-1 0 0 -3>; plane r <1 0 0 -3>; plane f <0 -1 0 -3>; plane k <0 1 0 -3>;";
+  expect_shells_apart(box, "l r f k", parallel_view, false);
+  expect_shells_apart(box, "l r f k", perspective_view, true);
+}
+
+// Where a cylinder ends in a point the surface has no normal, and its shells have the same point.
+TEST(Families, StayApartUpToTheirVanishingPoint) { expect_shells_apart("", "", perspective_view, true); }
+
+TEST(Families, AreSpheresWhereTheyWere) {
+  const IntegerScene scene = flat(
+      "definition d; quadric a <1 1 1 0 0 0 .1 .2 .3 -1>; quadric b <3 3 3 0 0 0 .3 .6 .9 -2.9999999>;"
+      "body t <a !b>; enddef; instance i (d =rx 13 =ry 17);" +
+          parallel_view,
+      page(500, 500));
+  for (const IntegerHalfSpace& h : scene.bodies.at(0).half_spaces) {
+    EXPECT_EQ(h.c[0], h.c[1]);
+    EXPECT_EQ(h.c[0], h.c[2]);
+    for (const std::size_t mixed : {3, 4, 5}) EXPECT_EQ(h.c[mixed], 0);
+  }
+}
+
+TEST(Families, KnowWhatTheyAre) {
   const Scene scene = scene_of(std::string(shells[1]) + "quadric c <2 2 -2 0 0 0 0 1 0 0>; body t <a b c>;");
   const auto kin = kinships_of(scene.top.quadrics);
   EXPECT_EQ(kin.at(0).family, kin.at(1).family);
   EXPECT_NE(kin[0].family, kin.at(2).family);
-  EXPECT_EQ(kin[0].rank, 4);
-  EXPECT_EQ(kin[1].rank, 3);
+  EXPECT_EQ(kin[0].rank, 4U);
+  EXPECT_EQ(kin[1].rank, 3U);
+  EXPECT_EQ(kin[1].squares, 3U);
   EXPECT_LT(kin[1].ratio, 0);
   EXPECT_EQ(kin[0].constant, -1);
 }

@@ -10,7 +10,7 @@ void expect_complaint(const std::string& text, const std::string& part, const Fl
 }
 
 TEST(Errors, NameTheStatementAndTheRemedy) {
-  expect_complaint(small_ball + "\nview v dop 0 1 0;", "vup is parallel to vpn");
+  expect_complaint(small_ball + "\nview v dop 0 1 0;", "vup is parallel to vpn (the opposite of dop)");
   expect_complaint(small_ball + "\nview v dop 0 0 -1 vup 0 0 3;", "test.uq:3:19: error: vup is parallel to vpn");
   expect_complaint(small_ball + "view v vpn 0 0 1 dop 1 0 0;", "dop is parallel to the view plane; turn");
   expect_complaint(small_ball + "view v vpn 0 0 1 cop 3 4 0;", "cop lies in the view plane through vrp; move");
@@ -131,6 +131,22 @@ TEST(Limits, DegenerateHalfSpacesAreTaken) {
         "quadric q <1 1 1 0 0 0 0 0 0 1>; body b <q>;", "quadric q <1 0 0 0 0 0 0 0 0 0>; body b <q q !q>;"}) {
     EXPECT_EQ(flat(text + straight_view, page(99, 99)).bodies.size(), 1U) << text;
   }
+}
+
+// The giant shares four planes with the box, whose half-size is 20 dots.
+std::string box_and_giant(const std::string& near) {
+  return "plane l <-1 .1 0 -20>; plane r <1 .2 .1 -20>; plane d <0 -1 .1 -20>; plane u <0 1 .1 -20>;"
+         "plane f <0 0 -1 -20>; plane k <0 0 1 -20>; plane far <1 .3 0 -15000>; plane near <-1 .1 0 " +
+         near + ">; body box (l r d u f k); body giant (near far d u f k); view v dop .1 .2 -1 ";
+}
+
+TEST(Limits, AGiantOffThePageIsHeldToThePage) {
+  EXPECT_LT(flat(box_and_giant("100") + "whw 32 whh 32;", page(64, 64)).bound, 0x1p-13);
+}
+
+TEST(Limits, AGiantLeavesASmallBodyItsAccuracy) {
+  const IntegerScene scene = flat(box_and_giant("-20") + "whw 16000 whh 16000;", page(32000, 32000));
+  for (const IntegerHalfSpace& h : scene.bodies.at(0).half_spaces) EXPECT_LT(h.bound, 0x1p-13) << h.name;
 }
 
 TEST(Real, DecimalsAndIntegersRoundTrip) {

@@ -89,7 +89,7 @@ TEST(Mating, CostStaysLinearInParallelPlanes) {
   PlaneMating mating({500, 500, 0});
   for (int i = 0; i < 20000; ++i) {
     const Real at = Real(i) / 3;
-    const Box box{{at, 0, 0}, {at + 1, 1, 1}};
+    const Region box = region_of({{at, 0, 0}, {at + 1, 1, 1}}, 1000);
     mating.add({HalfSpaceKind::plane, {1, 0, 0, -at}}, box, {});
     const PlaneMating::Match match = mating.add({HalfSpaceKind::plane, {-2, 0, 0, 2 * at}}, box, {});
     ASSERT_EQ(match.leader, static_cast<std::size_t>(i));
@@ -100,7 +100,7 @@ TEST(Mating, CostStaysLinearInParallelPlanes) {
 // In a box as thin as a line two planes that cross in it agree; in one body they stay two.
 TEST(Mating, PlanesOfOneBodyStayApart) {
   PlaneMating mating({0, 0, 0});
-  const Box line{{0, 5, 0}, {0, 5, 100}};
+  const Region line = region_of({{0, 5, 0}, {0, 5, 100}}, 1000);
   const RealHalfSpace flat{HalfSpaceKind::plane, {0, 1, 0, -5}};
   const RealHalfSpace tilted{HalfSpaceKind::plane, {Real(1) / 4096, 1, 0, -5}};
   EXPECT_EQ(mating.add(flat, line, {7}).leader, 0U);

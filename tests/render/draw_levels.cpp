@@ -1,5 +1,6 @@
 #include "tests/render/draw_levels.hpp"
 
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_writer.hpp"
 #include "host/resolve/resolve.hpp"
 

@@ -91,5 +91,15 @@ TEST(KeptTextScenes, StayRight) {
   for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741, 4802, 10973}) check(seed, tally);
 }
 
+// Shells in perspective that reach their vanishing point.
+TEST(KeptTextScenes, ShellsReachTheHorizon) {
+  Tally tally;
+  for (const std::uint64_t seed :
+       {68, 104, 116, 205, 263, 365, 430, 498, 756, 869, 887, 1216, 1419, 1427, 1472, 1504, 1562, 1607, 1796}) {
+    check(seed, tally);
+  }
+  EXPECT_EQ(tally.refused, 0U);
+}
+
 }  // namespace
 }  // namespace halfspace

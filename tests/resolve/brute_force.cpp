@@ -1,5 +1,6 @@
 #include "tests/resolve/brute_force.hpp"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -54,40 +55,89 @@ mpz_class value(const Curve& k, const mpz_class& x, const mpz_class& y) {
 // The derivative in x.
 mpz_class slope(const Curve& k, const mpz_class& x, const mpz_class& y) { return 2 * k.q[0] * x + k.q[1] * y + k.q[3]; }
 
-bool at_or_right_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
-  const mpz_class v = value(std::get<Curve>(arc.form), x, y);
-  const mpz_class s = slope(std::get<Curve>(arc.form), x, y);
-  switch (arc.branch) {
+// On which side of an arc a dot lies: -1 left, 0 on it, 1 right.
+int side_of(const Curve& k, Branch branch, const mpz_class& x, const mpz_class& y) {
+  const int v = sgn(value(k, x, y));
+  const int s = sgn(slope(k, x, y));
+  switch (branch) {
     case Branch::single:
-      return v >= 0;
+      return v;
     case Branch::left:
-      return v <= 0 || s >= 0;
+      return v < 0 || s > 0 ? 1 : v == 0 ? 0 : -1;
     case Branch::right:
-      return v >= 0 && s >= 0;
+      return v < 0 || s < 0 ? -1 : v == 0 ? 0 : 1;
   }
-  return false;
+  return 0;
 }
 
-bool at_or_left_of(const Arc& arc, const mpz_class& x, const mpz_class& y) {
-  const mpz_class v = value(std::get<Curve>(arc.form), x, y);
-  const mpz_class s = slope(std::get<Curve>(arc.form), x, y);
-  switch (arc.branch) {
-    case Branch::single:
-      return v <= 0;
-    case Branch::left:
-      return v >= 0 && s <= 0;
-    case Branch::right:
-      return v <= 0 || s <= 0;
+// p + r sqrt(d); nothing where d < 0.
+std::optional<int> sign_of(const RadicalForm& form, const mpz_class& x, const mpz_class& y) {
+  const mpz_class d = value(form.d, x, y);
+  if (d < 0) return std::nullopt;
+  const mpz_class p = value(form.p, x, y);
+  const mpz_class r = value(form.r, x, y);
+  const int s = sgn(p);
+  const int t = sgn(r) * sgn(d);
+  if (s == 0 || t == 0 || s == t) return s != 0 ? s : t;
+  const mpz_class difference = p * p - r * r * d;
+  return s * sgn(difference);
+}
+
+std::optional<int> sign_of(const QuarticForm& form, const mpz_class& x, const mpz_class& y) {
+  mpz_class sum = 0;
+  std::size_t next = 0;
+  for (unsigned degree = 5; degree-- > 0;) {
+    for (unsigned j = 0; j <= degree; ++j) {
+      mpz_class term = form.q[next++];
+      for (unsigned k = 0; k < degree - j; ++k) term *= x;
+      for (unsigned k = 0; k < j; ++k) term *= y;
+      sum += term;
+    }
   }
-  return false;
+  return sgn(sum);
+}
+
+mpz_class scaled_place(const Separator& separator, const Window& window, std::int64_t line) {
+  return mpz_class(static_cast<long>(separator.at)) +
+         mpz_class(static_cast<long>(separator.step)) * static_cast<long>(line - window.y0);
+}
+
+template <typename Form>
+int guided_side(const Form& form, const Guide& guide, const mpz_class& x, const mpz_class& y, std::int64_t line) {
+  const auto window = std::find_if(guide.windows.begin(), guide.windows.end(),
+                                   [line](const Window& w) { return w.y0 <= line && line <= w.y1; });
+  const mpz_class place = x << 16;
+  if (window->left && place <= scaled_place(*window->left, *window, line)) return -1;
+  if (window->right && place >= scaled_place(*window->right, *window, line)) return 1;
+  const auto sign = sign_of(form, x, y);
+  if (!sign) return guide.missing_right ? 1 : -1;
+  return guide.rising ? *sign : -*sign;
+}
+
+int side_of(const Arc& arc, const mpz_class& x, const mpz_class& y, std::int64_t line) {
+  if (const auto* curve = std::get_if<Curve>(&arc.form)) return side_of(*curve, arc.branch, x, y);
+  if (const auto* form = std::get_if<RadicalForm>(&arc.form)) return guided_side(*form, arc.guide, x, y, line);
+  return guided_side(std::get<QuarticForm>(arc.form), arc.guide, x, y, line);
 }
 
 bool arc_exists(const Arc& arc, const mpz_class& y) {
+  if (!std::holds_alternative<Curve>(arc.form)) return true;
   const auto& q = std::get<Curve>(arc.form).q;
   const mpz_class linear = q[1] * y + q[3];
   if (arc.branch == Branch::single) return q[0] == 0 && linear > 0;
   const mpz_class constant = q[2] * y * y + q[4] * y + q[5];
   return q[0] > 0 && linear * linear >= 4 * q[0] * constant;
+}
+
+// Are the lines of a guided arc those of its windows, in order?
+bool has_whole_guide(const Arc& arc) {
+  if (std::holds_alternative<Curve>(arc.form)) return arc.guide.windows.empty();
+  std::int64_t next = arc.y0;
+  for (const Window& window : arc.guide.windows) {
+    if (window.y0 != next || window.y1 < window.y0) return false;
+    next = std::int64_t{window.y1} + 1;
+  }
+  return next == std::int64_t{arc.y1} + 1;
 }
 
 using FaceKey = std::tuple<std::uint32_t, std::uint32_t, Sheet>;
@@ -117,8 +167,8 @@ bool in_cell(const IntegerScene& scene, const ResolvedScene& resolved, const Cel
   const IntegerBody& body = scene.bodies[resolved.faces[cell.face].body];
   const mpz_class x = i - body.origin[0];
   const mpz_class y = j - body.origin[1];
-  return (cell.left == no_arc || at_or_right_of(resolved.arcs[cell.left], x, y)) &&
-         (cell.right == no_arc || at_or_left_of(resolved.arcs[cell.right], x, y));
+  return (cell.left == no_arc || side_of(resolved.arcs[cell.left], x, y, j) >= 0) &&
+         (cell.right == no_arc || side_of(resolved.arcs[cell.right], x, y, j) <= 0);
 }
 
 // In how many cells and spans of its face each dot of the page is; one vector a face.
@@ -146,6 +196,7 @@ std::optional<std::string> broken_structure(const IntegerScene& scene, const Res
   for (std::size_t a = 0; a < resolved.arcs.size(); ++a) {
     const Arc& arc = resolved.arcs[a];
     if (arc.y0 > arc.y1) return "arc " + std::to_string(a) + " has no line";
+    if (!has_whole_guide(arc)) return "the windows of arc " + std::to_string(a) + " are not its lines";
     for (int y = arc.y0; y <= arc.y1; ++y) {
       if (!arc_exists(arc, y - scene.bodies[arc.body].origin[1])) {
         return "arc " + std::to_string(a) + " does not exist on line " + std::to_string(y);

@@ -115,33 +115,6 @@ TEST_P(HardBodies, EveryDotOfEveryFaceIsRight) {
 
 INSTANTIATE_TEST_SUITE_P(Resolve, HardBodies, testing::ValuesIn(hard_bodies()));
 
-TEST(Resolve, MeetingQuadricsAreNamedWithTheirPlace) {
-  IntegerScene scene = page_with({sphere(0, 0, 0, 100), sphere(10, 0, 0, 100)});
-  scene.bodies[0].position = {"lens.uq", 3, 1};
-  const ResolveResult result = resolve(scene, true);
-  ASSERT_EQ(result.diagnostics.size(), 1U);
-  EXPECT_EQ(result.diagnostics[0].severity, Severity::error);
-  EXPECT_EQ(result.diagnostics[0].position.line, 3);
-  EXPECT_NE(result.diagnostics[0].message.find("'h0' and 'h1'"), std::string::npos);
-  EXPECT_NE(result.diagnostics[0].message.find("near dot (25, "), std::string::npos);
-  EXPECT_TRUE(result.scene.faces.empty());
-}
-
-TEST(Resolve, TouchingQuadricsAreRefusedToo) {
-  EXPECT_EQ(resolve(page_with({sphere(0, 0, 0, 100), complement_of(sphere(4, 0, 0, 36))})).diagnostics.size(), 1U);
-  EXPECT_EQ(resolve(page_with({sphere(-5, 0, 0, 25), sphere(5, 0, 0, 25)})).diagnostics.size(), 1U);
-}
-
-TEST(Resolve, TheNextBodyIsStillResolved) {
-  IntegerScene scene = page_with({sphere(0, 0, 0, 100), sphere(10, 0, 0, 100)});
-  scene.bodies.push_back(page_with({sphere(0, 0, 0, 100)}).bodies[0]);
-  const ResolveResult result = resolve(scene, true);
-  EXPECT_EQ(result.diagnostics.size(), 1U);
-  ASSERT_EQ(result.scene.faces.size(), 2U);
-  EXPECT_EQ(result.scene.faces[0].body, 1U);
-  EXPECT_EQ(result.scene.arcs[0].body, 1U);
-}
-
 TEST(Resolve, ASphereIsTwoCellsBetweenTwoArcs) {
   const ResolvedScene resolved = resolve(page_with({sphere(0, 0, 0, 100)}), true).scene;
   EXPECT_EQ(resolved.faces.size(), 2U);

@@ -11,21 +11,21 @@ namespace halfspace::test {
 namespace {
 
 TEST(LineRoot, EqualNumbersWrittenDifferentlyAreEqual) {
-  const LineRoot a = real_roots({1, -2, -1})[1];     // 1 + sqrt(2)
-  const LineRoot b = real_roots({49, -98, -49})[1];  // the same, times 49
-  const LineRoot c = real_roots({1, 0, -2})[1];      // sqrt(2)
+  const LineRoot a = real_roots({-1, -2, 1})[1];     // 1 + sqrt(2)
+  const LineRoot b = real_roots({-49, -98, 49})[1];  // the same, times 49
+  const LineRoot c = real_roots({-2, 0, 1})[1];      // sqrt(2)
   EXPECT_EQ(compare(a, b), 0);
   EXPECT_EQ(compare(b, a), 0);
   EXPECT_EQ(compare(a, c), 1);
   EXPECT_EQ(compare(c, a), -1);
-  EXPECT_EQ(compare(real_roots({1, 0, -9})[0], rational_root(3, -1)), 0);
+  EXPECT_EQ(compare(real_roots({-9, 0, 1})[0], rational_root(3, -1)), 0);
 }
 
 // Against the definition: the sign of a polynomial at a rational says on which side of its roots the rational lies.
 TEST(LineRoot, OrderOfCloseRootsFollowsThePolynomials) {
   const mpz_class big = mpz_class(1) << 90;
-  const LineRoot a = real_roots({1, 0, -2 * big * big})[1];      // sqrt(2) 2^90
-  const LineRoot b = real_roots({1, 0, -2 * big * big - 1})[1];  // larger by about 2^-92
+  const LineRoot a = real_roots({-2 * big * big, 0, 1})[1];      // sqrt(2) 2^90
+  const LineRoot b = real_roots({-2 * big * big - 1, 0, 1})[1];  // larger by about 2^-92
   EXPECT_EQ(compare(a, b), -1);
   EXPECT_EQ(compare(b, a), 1);
   const LineRoot middle = rational_between(a, b);
@@ -34,12 +34,12 @@ TEST(LineRoot, OrderOfCloseRootsFollowsThePolynomials) {
 }
 
 TEST(LineRoot, FloorAndCeiling) {
-  const std::vector<LineRoot> roots = real_roots({1, 0, -2});
+  const std::vector<LineRoot> roots = real_roots({-2, 0, 1});
   EXPECT_EQ(floor_of(roots[0]), -2);
   EXPECT_EQ(ceiling_of(roots[0]), -1);
   EXPECT_EQ(floor_of(roots[1]), 1);
   EXPECT_EQ(ceiling_of(roots[1]), 2);
-  const std::vector<LineRoot> whole = real_roots({-1, 0, 9});
+  const std::vector<LineRoot> whole = real_roots({9, 0, -1});
   EXPECT_EQ(floor_of(whole[0]), -3);
   EXPECT_EQ(ceiling_of(whole[0]), -3);
   EXPECT_EQ(floor_of(whole[1]), 3);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/app/embedded_job.hpp"
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_writer.hpp"
 
 namespace halfspace {
@@ -76,7 +77,7 @@ Outcome run(const std::vector<std::uint8_t>& job, DeviceStatus at_band = DeviceS
   alignas(8) std::array<std::byte, 2048> memory{};
   NotingDevice device(at_band);
   StillClock clock;
-  FlashSource source(job);
+  MemorySource source(job);
   const PageReport report = draw_page(source, device, clock, memory, Shader::isqrt, all_modules);
   return {report, device.calls};
 }

@@ -18,6 +18,7 @@ struct Interval {
   [[nodiscard]] bool positive() const { return low > 0; }
   [[nodiscard]] bool negative() const { return high < 0; }
   [[nodiscard]] bool may_vanish() const { return !positive() && !negative(); }
+  [[nodiscard]] bool is_zero() const { return low == 0 && high == 0; }
 };
 
 [[nodiscard]] inline Interval outward(double low, double high) {
@@ -25,6 +26,7 @@ struct Interval {
   return {low - margin(low), high + margin(high)};
 }
 
+inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
 inline Interval operator+(const Interval& a, const Interval& b) { return outward(a.low + b.low, a.high + b.high); }
 inline Interval operator-(const Interval& a, const Interval& b) { return outward(a.low - b.high, a.high - b.low); }
 inline Interval operator*(const Interval& a, const Interval& b) {

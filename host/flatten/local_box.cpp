@@ -1,0 +1,64 @@
+#include "host/flatten/local_box.hpp"
+
+namespace halfspace {
+namespace {
+
+// Shifting a frame by 2^36 of its sizes leaves 2^-76 of noise in a transform, and at most 2^-74 in coefficients.
+constexpr int far_bits = 36;
+constexpr int dropped_part_bits = 36;
+
+Real target_for(Real across) {
+  const Real ratio = larger(1, across / 1024);
+  return smaller(power_of_two(-14) * ratio * ratio, power_of_two(-4));
+}
+
+}  // namespace
+
+Region region_of(const Box& box, Real page) {
+  const Real across = larger(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  return {box, target_for(smaller(across, page))};
+}
+
+Region around(const Region& a, const Region& b) { return {around(a.box, b.box), smaller(a.target, b.target)}; }
+
+LocalBox local_box(const Region& region) {
+  const Box& box = region.box;
+  LocalBox local;
+  Vector3 centre{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    centre[i] = nearest_whole((box.low[i] + box.high[i]) / 2);
+    local.half[i] = larger(larger(box.high[i] - centre[i], centre[i] - box.low[i]), 1);
+  }
+  local.origin = round_to_integers(centre);
+  local.radius = largest(local.half);
+  local.target = region.target;
+  return local;
+}
+
+std::optional<Matrix4> inverse_from(const LocalBox& box, const Matrix4& inverse) {
+  Matrix4 shift = identity_matrix;
+  for (std::size_t i = 0; i < 3; ++i) {
+    shift[3][i] = to_real(box.origin[i]);
+    if (magnitude(shift[3][i]) > box.radius * power_of_two(far_bits)) return std::nullopt;
+  }
+  return product(shift, inverse);
+}
+
+Real reach(const Vector4& form, const LocalBox& box) {
+  Real total = magnitude(form[3]);
+  for (std::size_t i = 0; i < 3; ++i) total += magnitude(form[i]) * box.half[i];
+  return total;
+}
+
+RoundedLinear rounded(const Vector4& form, Real scale) {
+  RoundedLinear result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    result.integers[i] = round_to_integer(form[i] * scale);
+    result.residual[i] = to_real(result.integers[i]) - form[i] * scale;
+  }
+  return result;
+}
+
+Real dropped_part(const LocalBox& box) { return box.radius * power_of_two(-dropped_part_bits); }
+
+}  // namespace halfspace

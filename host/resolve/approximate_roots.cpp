@@ -1,0 +1,139 @@
+#include "host/resolve/approximate_roots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halfspace {
+namespace {
+
+// Up to degree four.
+struct Doubles {
+  std::array<double, 5> c{};
+  std::size_t count = 0;
+
+  void push_back(double value) { c[count++] = value; }
+};
+
+double value_at(const Doubles& f, double x) {
+  double value = 0;
+  for (std::size_t i = f.count; i-- > 0;) value = value * x + f.c[i];
+  return value;
+}
+
+Doubles slope_of(const Doubles& f) {
+  Doubles d;
+  for (std::size_t i = 1; i < f.count; ++i) d.push_back(f.c[i] * static_cast<double>(i));
+  return d;
+}
+
+// A sign change in [low, high], by Newton's steps that are kept inside the halves.
+double bracketed_root(const Doubles& f, const Doubles& slope, double low, double high) {
+  constexpr int most_steps = 200;
+  const bool rising = value_at(f, low) < 0;
+  double x = low + (high - low) / 2;
+  for (int step = 0; step < most_steps; ++step) {
+    const double value = value_at(f, x);
+    if (value == 0) return x;
+    ((value < 0) == rising ? low : high) = x;
+    double next = x - value / value_at(slope, x);
+    if (!(next > low && next < high) || step % 4 == 3) next = low + (high - low) / 2;
+    if (std::abs(next - x) <= std::abs(x) * 0x1p-52 || next == low || next == high) return next;
+    x = next;
+  }
+  return x;
+}
+
+Doubles guesses_of_second_order(const Doubles& f) {
+  const double d = f.c[1] * f.c[1] - 4 * f.c[2] * f.c[0];
+  if (d < 0) return {};
+  const double far = -(f.c[1] + std::copysign(std::sqrt(d), f.c[1])) / 2;
+  if (far == 0) return {};
+  const double x = far / f.c[2];
+  const double y = f.c[0] / far;
+  return {{std::min(x, y), std::max(x, y)}, 2};
+}
+
+// Guesses at the real roots within +-bound: between two extrema a polynomial is monotone.
+Doubles guesses(const Doubles& f, double bound) {
+  if (f.count == 3) return guesses_of_second_order(f);
+  const Doubles slope = slope_of(f);
+  const Doubles turns = guesses(slope, bound);
+  Doubles roots;
+  double low = -bound;
+  for (std::size_t i = 0; i <= turns.count; ++i) {
+    const double high = i < turns.count ? turns.c[i] : bound;
+    if ((value_at(f, low) < 0) != (value_at(f, high) < 0)) roots.push_back(bracketed_root(f, slope, low, high));
+    low = high;
+  }
+  return roots;
+}
+
+double cauchy_bound(const Doubles& f) {
+  double most = 0;
+  for (std::size_t i = 0; i + 1 < f.count; ++i) most = std::max(most, std::abs(f.c[i] / f.c[f.count - 1]));
+  return 1 + most;
+}
+
+Interval value_at(const std::vector<Interval>& f, double x) {
+  Interval value{};
+  for (std::size_t i = f.size(); i-- > 0;) value = value * Interval{x, x} + f[i];
+  return value;
+}
+
+bool changes_sign(const std::vector<Interval>& f, const Interval& x) {
+  const Interval low = value_at(f, x.low);
+  const Interval high = value_at(f, x.high);
+  return (low.positive() && high.negative()) || (low.negative() && high.positive());
+}
+
+}  // namespace
+
+int count_of_real_roots(const Polynomial& f) {
+  const mpz_class& a = f[f.size() - 1];
+  const mpz_class& b = f[f.size() - 2];
+  const mpz_class& c = f[f.size() - 3];
+  const mpz_class& d = f[f.size() - 4];
+  if (f.size() == 4) {
+    const mpz_class discriminant = b * c * (18 * a * d + b * c) - 4 * (b * b * b * d + a * c * c * c) - 27 * a * a * d * d;
+    return sgn(discriminant) == 0 ? -1 : sgn(discriminant) > 0 ? 3 : 1;
+  }
+  const mpz_class& e = f[0];
+  const mpz_class bb = b * b;
+  const mpz_class ac = a * c;
+  const mpz_class i = 12 * a * e - 3 * b * d + c * c;
+  const mpz_class j = 72 * ac * e + 9 * b * c * d - 27 * (a * d * d + bb * e) - 2 * c * c * c;
+  const int discriminant = cmp(4 * i * i * i, j * j);
+  if (discriminant <= 0) return discriminant == 0 ? -1 : 2;
+  const bool all_real = sgn(mpz_class(8 * ac - 3 * bb)) < 0 &&
+                        sgn(mpz_class(64 * a * a * a * e - 16 * ac * ac + 16 * bb * ac - 16 * a * a * b * d - 3 * bb * bb)) < 0;
+  return all_real ? 4 : 0;
+}
+
+std::vector<Interval> certain_sign_changes(const Polynomial& f) {
+  std::size_t bits = 0;
+  for (const mpz_class& c : f) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  std::vector<Interval> enclosed;
+  Doubles rounded;
+  for (const mpz_class& c : f) {
+    enclosed.push_back(enclosure(c, static_cast<long>(bits)));
+    rounded.push_back((enclosed.back().low + enclosed.back().high) / 2);
+  }
+  const double bound = cauchy_bound(rounded);
+  if (!(bound < 0x1p60)) return {};  // keeps every product in the enclosures finite
+  std::vector<Interval> found;
+  const Doubles near_roots = guesses(rounded, bound);
+  for (std::size_t i = 0; i < near_roots.count; ++i) {
+    const double x = near_roots.c[i];
+    for (double radius = std::abs(x) * 0x1p-48 + 0x1p-60; radius < 0x1p-6; radius *= 64) {
+      const Interval near{x - radius, x + radius};
+      if (!found.empty() && !(found.back().high < near.low)) break;
+      if (!changes_sign(enclosed, near)) continue;
+      found.push_back(near);
+      break;
+    }
+  }
+  return found;
+}
+
+}  // namespace halfspace

@@ -1,0 +1,199 @@
+#include "host/resolve/arc_guide.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "host/resolve/critical_marks.hpp"
+#include "host/resolve/quartic.hpp"
+#include "host/resolve/separator.hpp"
+#include "host/resolve/sheet_form.hpp"
+
+namespace halfspace {
+namespace {
+
+// A window and what it asks of the guide as a whole; nothing where either will do.
+struct ProvedWindow {
+  Window window;
+  std::optional<bool> rising, missing_right;
+};
+
+// Windows for one root of a form.
+class Windows {
+ public:
+  Windows(const FormOnSheet& form, int rank, KnownLines& lines) : form_(form), rank_(rank), lines_(lines) {}
+
+  // On the lines y0 .. y1 of a row of the form.
+  void add_row(bool singular, std::int64_t y0, std::int64_t y1) {
+    if (singular) return add_single(y0);
+    const bool rising = is_rising(y0);
+    std::int64_t length = y1 - y0 + 1;
+    for (std::int64_t y = y0; y <= y1;) {
+      std::int64_t last = std::min(y1, y + length - 1);
+      while (last > y && !add_window(y, last, rising)) last = y + (last - y) / 2;
+      if (last == y) add_single(y);
+      length = 2 * (last - y + 1);
+      y = last + 1;
+    }
+  }
+
+  [[nodiscard]] std::vector<ProvedWindow> take() { return std::move(windows_); }
+
+ private:
+  struct Line {
+    const std::vector<Obstacle>& obstacles;
+    std::size_t root;
+  };
+
+  Line line(std::int64_t y) {
+    const auto [at, is_new] = lines_.try_emplace(y);
+    if (is_new) at->second = obstacles_on_line(form_, y);
+    std::size_t root = 0;
+    while (at->second[root].rank != rank_) ++root;
+    return {at->second, root};
+  }
+
+  // The dots beside the root: no dot between them but one that is the root.
+  void add_single(std::int64_t y) {
+    const Line at = line(y);
+    const LineRoot& x = at.obstacles[at.root].x;
+    const auto row = static_cast<std::int32_t>(y);
+    windows_.push_back({{row, row, dot_separator(ceiling_of(x) - 1), dot_separator(floor_of(x) + 1)}, {}, {}});
+  }
+
+  // Is the form negative just left of the root?
+  bool is_rising(std::int64_t y) {
+    const Line at = line(y);
+    const LineRoot& x = at.obstacles[at.root].x;
+    const LineRoot beside = at.root == 0 ? rational_root(floor_of(x) - 1, 1)
+                                         : rational_between(at.obstacles[at.root - 1].x, x);
+    if (!form_.has_limb()) return sign_at(restricted(form_.part, static_cast<long>(y)), beside) < 0;
+    return ValueOnLine(*form_.sheets, form_.value(), static_cast<long>(y)).sign(form_.sheet, beside) < 0;
+  }
+
+  // Beyond the limb that is counted as missing nothing is asked; at the other side's limb a separator comes first.
+  bool add_window(std::int64_t y0, std::int64_t y1, bool rising) {
+    const Line first = line(y0);
+    const bool left = first.root > 0 && first.obstacles[first.root - 1].limb;
+    const bool right = first.root + 1 < first.obstacles.size() && first.obstacles[first.root + 1].limb;
+    if (!left && !right) return add_window(y0, y1, rising, std::nullopt);
+    if (left != right) return add_window(y0, y1, rising, right);
+    const bool as_before = !windows_.empty() && windows_.back().missing_right.value_or(false);
+    return add_window(y0, y1, rising, as_before) || add_window(y0, y1, rising, !as_before);
+  }
+
+  bool add_window(std::int64_t y0, std::int64_t y1, bool rising, std::optional<bool> missing_right) {
+    ProvedWindow next{{static_cast<std::int32_t>(y0), static_cast<std::int32_t>(y1), {}, {}}, rising, missing_right};
+    if (!separate(y0, y1, -1, missing_right == false, next.window.left)) return false;
+    if (!separate(y0, y1, 1, missing_right == true, next.window.right)) return false;
+    windows_.push_back(next);
+    return true;
+  }
+
+  // The separator on one side (-1 left, 1 right), if one is needed; false if none was found.
+  bool separate(std::int64_t y0, std::int64_t y1, int side, bool missing, std::optional<Separator>& found) {
+    const Line first = line(y0);
+    const auto exists = [&first, side](std::size_t steps) {
+      return side < 0 ? first.root >= steps : first.root + steps < first.obstacles.size();
+    };
+    const std::size_t near = missing ? 1 : 0;  // obstacles between the root and the separator: the limb, or none
+    if (!exists(near + 1)) return true;
+    Channel channel;
+    for (const std::int64_t y : {y0, y0 + (y1 - y0) / 2, y1}) {
+      const Line here = line(y);
+      const LineRoot& inner = here.obstacles[moved(here.root, side, near)].x;
+      const LineRoot& outer = here.obstacles[moved(here.root, side, near + 1)].x;
+      channel.add(y, side < 0 ? outer : inner, side < 0 ? inner : outer);
+    }
+    found = channel.separator();
+    return found && channel.holds(*found) && is_clear(*found, y0, y1);
+  }
+
+  static std::size_t moved(std::size_t root, int side, std::size_t steps) {
+    return side < 0 ? root - steps : root + steps;
+  }
+
+  // Neither d nor the form vanishes along the separator. Where d < 0 from the start there is no form.
+  [[nodiscard]] bool is_clear(const Separator& separator, std::int64_t y0, std::int64_t y1) const {
+    const mpz_class length = static_cast<long>(y1 - y0);
+    const auto on_separator = [&](const QuarticForm& p) {
+      return along(p, static_cast<long>(separator.at), static_cast<long>(separator.step), separator_unit,
+                   static_cast<long>(y0));
+    };
+    const auto keeps_sign = [&](const Polynomial& p) { return surely_without_zero(p, 0, length); };
+    if (!form_.has_limb()) return keeps_sign(on_separator(form_.part));
+    const Polynomial d = on_separator(as_quartic(form_.sheets->d));
+    if (!keeps_sign(d)) return false;
+    if (sgn(d[0]) < 0) return true;
+    const Constraint& k = form_.value();
+    if (keeps_sign(on_separator(k.n))) return true;
+    const Polynomial p = on_separator(as_quartic(k.p));
+    const Polynomial r = on_separator(as_quartic(k.r));
+    const int t = form_.sheet == Sheet::front ? -1 : 1;
+    return keeps_sign(p) && keeps_sign(r) && sgn(p[0]) == t * sgn(r[0]);
+  }
+
+  const FormOnSheet& form_;
+  int rank_;
+  KnownLines& lines_;
+  std::vector<ProvedWindow> windows_;
+};
+
+// Does the guide so far allow for the window?
+bool agrees(const std::optional<bool>& known, const std::optional<bool>& next) {
+  return !known || !next || *known == *next;
+}
+
+std::vector<GuidedRun> joined(const std::vector<ProvedWindow>& windows) {
+  std::vector<GuidedRun> runs;
+  std::optional<bool> rising;
+  std::optional<bool> missing_right;
+  for (const ProvedWindow& next : windows) {
+    if (runs.empty() || !agrees(rising, next.rising) || !agrees(missing_right, next.missing_right)) {
+      runs.push_back({next.window.y0, next.window.y1, {}});
+      rising = missing_right = std::nullopt;
+    }
+    if (next.rising) rising = next.rising;
+    if (next.missing_right) missing_right = next.missing_right;
+    GuidedRun& run = runs.back();
+    run.y1 = next.window.y1;
+    run.guide.rising = rising.value_or(true);
+    run.guide.missing_right = missing_right.value_or(false);
+    run.guide.windows.push_back(next.window);
+  }
+  return runs;
+}
+
+std::variant<Curve, RadicalForm, QuarticForm> form_of(const FormOnSheet& form) {
+  if (!form.has_limb()) return form.part;
+  const Constraint& k = form.value();
+  return RadicalForm{k.p, (form.sheet == Sheet::front ? -1 : 1) * k.r, form.sheets->d};
+}
+
+std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent, QuarticTable& table) {
+  BoundingCurves bounds;
+  bounds.quartics.push_back({form.part, {form.constraint}});
+  if (form.has_limb()) {
+    trace(form.sheets->d, std::nullopt, false, bounds.curves);
+    for (const Curve& other : form.others) trace(other, std::nullopt, false, bounds.curves);
+  }
+  return scan_rows(critical_marks(bounds, {}, table, extent.y0, extent.y1), extent.y0, extent.y1);
+}
+
+}  // namespace
+
+ArcGuide::ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table)
+    : form_on_sheet_(std::move(form)), form_(form_of(form_on_sheet_)), rows_(rows_of(form_on_sheet_, extent, table)) {}
+
+std::vector<GuidedRun> ArcGuide::runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) {
+  Windows windows(form_on_sheet_, static_cast<int>(rank), lines_);
+  for (const ScanRow& row : rows_) {
+    const std::int64_t first = std::max(y0, row.y0);
+    const std::int64_t last = std::min(y1, row.y1);
+    if (first <= last) windows.add_row(row.singular, first, last);
+  }
+  return joined(windows.take());
+}
+
+}  // namespace halfspace

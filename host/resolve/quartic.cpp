@@ -1,0 +1,216 @@
+#include "host/resolve/quartic.hpp"
+
+#include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_mpoly_factor.h>
+
+#include <algorithm>
+#include <array>
+
+#include "host/resolve/curve_algebra.hpp"
+
+namespace halfspace {
+namespace {
+
+// Polynomials in x, y, in this order.
+const fmpz_mpoly_ctx_struct* plane() {
+  static const struct Context {
+    fmpz_mpoly_ctx_t ring;
+    Context() { fmpz_mpoly_ctx_init(ring, 2, ORD_LEX); }
+    ~Context() { fmpz_mpoly_ctx_clear(ring); }
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+  } context;
+  return context.ring;
+}
+
+// A polynomial in FLINT's keeping.
+class PlanePolynomial {
+ public:
+  PlanePolynomial() { fmpz_mpoly_init(p_, plane()); }
+  explicit PlanePolynomial(const QuarticForm& form) : PlanePolynomial() {
+    fmpz_t c;
+    fmpz_init(c);
+    for (ulong i = 0; i <= 4; ++i) {
+      for (ulong j = 0; i + j <= 4; ++j) {
+        const std::array<ulong, 2> powers{i, j};
+        fmpz_set_mpz(c, form.q[quartic_index(i, j)].get_mpz_t());
+        fmpz_mpoly_set_coeff_fmpz_ui(p_, c, powers.data(), plane());
+      }
+    }
+    fmpz_clear(c);
+  }
+  PlanePolynomial(const PlanePolynomial&) = delete;
+  PlanePolynomial& operator=(const PlanePolynomial&) = delete;
+  ~PlanePolynomial() { fmpz_mpoly_clear(p_, plane()); }
+
+  [[nodiscard]] fmpz_mpoly_struct* get() { return p_; }
+  [[nodiscard]] mpz_class coefficient(ulong i, ulong j) const {
+    fmpz_t c;
+    fmpz_init(c);
+    const std::array<ulong, 2> powers{i, j};
+    fmpz_mpoly_get_coeff_fmpz_ui(c, p_, powers.data(), plane());
+    mpz_class value;
+    fmpz_get_mpz(value.get_mpz_t(), c);
+    fmpz_clear(c);
+    return value;
+  }
+  // In powers of y, of a polynomial without x.
+  [[nodiscard]] Polynomial in_y() const {
+    Polynomial result;
+    const slong order = fmpz_mpoly_degree_si(p_, 1, plane());
+    for (slong j = 0; j <= order; ++j) result.push_back(coefficient(0, static_cast<ulong>(j)));
+    return result;
+  }
+
+ private:
+  fmpz_mpoly_t p_;
+};
+
+std::size_t degree_of(const QuarticForm& p) {
+  for (std::size_t n = 4; n > 0; --n) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      if (sgn(p.q[quartic_index(n - j, j)]) != 0) return n;
+    }
+  }
+  return 0;
+}
+
+Curve as_curve(const QuarticForm& p) {
+  const auto& q = p.q;
+  return {{q[quartic_index(2, 0)], q[quartic_index(1, 1)], q[quartic_index(0, 2)], q[quartic_index(1, 0)],
+           q[quartic_index(0, 1)], q[quartic_index(0, 0)]}};
+}
+
+// The coefficient of x^i, in powers of y.
+Polynomial coefficient_of(const QuarticForm& p, std::size_t i) {
+  Polynomial c;
+  for (std::size_t j = 0; i + j <= 4; ++j) c.push_back(p.q[quartic_index(i, j)]);
+  return trimmed(c);
+}
+
+std::size_t degree_in_x(const QuarticForm& p) {
+  std::size_t i = 4;
+  while (i > 0 && coefficient_of(p, i).empty()) --i;
+  return i;
+}
+
+void append_factor(const PlanePolynomial& factor, PlaneFactors& found) {
+  QuarticForm form;
+  for (ulong i = 0; i <= 4; ++i) {
+    for (ulong j = 0; i + j <= 4; ++j) form.q[quartic_index(i, j)] = factor.coefficient(i, j);
+  }
+  make_canonical(form);
+  if (degree_of(form) > 2) {
+    found.quartics.push_back(std::move(form));
+  } else {
+    found.curves.push_back(as_curve(form));
+  }
+}
+
+constexpr std::array<std::array<std::size_t, 2>, 6> curve_powers{{{2, 0}, {1, 1}, {0, 2}, {1, 0}, {0, 1}, {0, 0}}};
+
+}  // namespace
+
+QuarticForm as_quartic(const Curve& p) {
+  QuarticForm form;
+  for (std::size_t k = 0; k < 6; ++k) form.q[quartic_index(curve_powers[k][0], curve_powers[k][1])] = p.q[k];
+  return form;
+}
+
+QuarticForm product(const Curve& p, const Curve& q) {
+  QuarticForm form;
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (sgn(p.q[k]) == 0) continue;
+    for (std::size_t l = 0; l < 6; ++l) {
+      form.q[quartic_index(curve_powers[k][0] + curve_powers[l][0], curve_powers[k][1] + curve_powers[l][1])] +=
+          p.q[k] * q.q[l];
+    }
+  }
+  return form;
+}
+
+QuarticForm operator+(QuarticForm p, const QuarticForm& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) p.q[i] += q.q[i];
+  return p;
+}
+
+QuarticForm operator-(QuarticForm p, const QuarticForm& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) p.q[i] -= q.q[i];
+  return p;
+}
+
+QuarticForm operator*(const mpz_class& factor, QuarticForm p) {
+  for (mpz_class& c : p.q) c *= factor;
+  return p;
+}
+
+bool is_zero(const QuarticForm& p) {
+  return std::all_of(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) == 0; });
+}
+
+Polynomial restricted(const QuarticForm& p, const mpz_class& y) {
+  Polynomial f;
+  for (std::size_t i = 0; i <= 4; ++i) f.push_back(value_at(coefficient_of(p, i), y));
+  return f;
+}
+
+Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step, const mpz_class& denominator,
+                 const mpz_class& start) {
+  const Polynomial x{at, step};
+  Polynomial sum;
+  mpz_class scale = 1;
+  for (std::size_t i = 5; i-- > 0;) {  // Horner's scheme in x
+    const Polynomial c = times(shifted(coefficient_of(p, i), start), {scale});
+    sum = plus(times(sum, x), c);
+    scale *= denominator;
+  }
+  return sum;
+}
+
+void make_canonical(QuarticForm& p) {
+  mpz_class divisor = 0;
+  for (const mpz_class& c : p.q) divisor = gcd(divisor, c);
+  const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
+  if (leading == p.q.end()) return;
+  if (sgn(*leading) < 0) divisor = -divisor;
+  for (mpz_class& c : p.q) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
+}
+
+PlaneFactors factors(const QuarticForm& p) {
+  PlaneFactors found;
+  if (degree_of(p) <= 2) {
+    append_factors(as_curve(p), found.curves);
+    return found;
+  }
+  PlanePolynomial whole(p);
+  fmpz_mpoly_factor_t parts;
+  fmpz_mpoly_factor_init(parts, plane());
+  fmpz_mpoly_factor(parts, whole.get(), plane());
+  for (slong i = 0; i < fmpz_mpoly_factor_length(parts, plane()); ++i) {
+    PlanePolynomial part;
+    fmpz_mpoly_factor_get_base(part.get(), parts, i, plane());
+    append_factor(part, found);
+  }
+  fmpz_mpoly_factor_clear(parts, plane());
+  return found;
+}
+
+std::vector<Polynomial> turning_lines(const QuarticForm& p) {
+  const std::size_t order = degree_in_x(p);
+  if (order <= 1) return {coefficient_of(p, order)};
+  PlanePolynomial form(p);
+  PlanePolynomial discriminant;
+  fmpz_mpoly_discriminant(discriminant.get(), form.get(), 0, plane());
+  return {discriminant.in_y(), coefficient_of(p, order)};
+}
+
+Polynomial meeting_lines(const QuarticForm& p, const QuarticForm& q) {
+  if (degree_in_x(p) == 0 || degree_in_x(q) == 0) return {};  // its turning lines hold all its points
+  PlanePolynomial a(p);
+  PlanePolynomial b(q);
+  PlanePolynomial resultant;
+  fmpz_mpoly_resultant(resultant.get(), a.get(), b.get(), 0, plane());
+  return resultant.in_y();
+}
+
+}  // namespace halfspace

@@ -1,0 +1,39 @@
+// separator.hpp - straight lines between two curves, in 2^-16 dots: guessed in floating point, checked exactly where they start.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/resolve/line_root.hpp"
+#include "host/resolve/resolved_scene.hpp"
+
+namespace halfspace {
+
+inline constexpr long separator_unit = 1 << 16;
+
+// On a column of dots; columns far beyond any page count as the last of them.
+[[nodiscard]] std::optional<Separator> dot_separator(const mpz_class& column);
+
+// What lies left and right on some scan lines, the first of them the window's first.
+class Channel {
+ public:
+  void add(std::int64_t y, const LineRoot& left, const LineRoot& right);
+
+  // A line that runs between the samples, if there is one.
+  [[nodiscard]] std::optional<Separator> separator() const;
+
+  // Is it between left and right on the first line? Exact.
+  [[nodiscard]] bool holds(const Separator& separator) const;
+
+ private:
+  struct Sample {
+    double y, low, high;
+  };
+  struct Ends {
+    LineRoot left, right;
+  };
+  std::vector<Sample> samples_;
+  std::optional<Ends> first_;
+};
+
+}  // namespace halfspace

@@ -1,0 +1,52 @@
+#include "host/resolve/traced_curve.hpp"
+
+#include <algorithm>
+
+#include "host/resolve/curve_algebra.hpp"
+
+namespace halfspace {
+namespace {
+
+bool is_second_order_proportional(const Curve& p, const Curve& q) {
+  const auto minor = [&](std::size_t i, std::size_t j) { return p.q[i] * q.q[j] == p.q[j] * q.q[i]; };
+  return minor(0, 1) && minor(0, 2) && minor(1, 2);
+}
+
+// m p - n q without second order: circles' radical line, and its like.
+Curve radical_line(const Curve& p, const Curve& q) {
+  const std::size_t i = sgn(p.q[0]) != 0 ? 0 : sgn(p.q[1]) != 0 ? 1 : 2;
+  return q.q[i] * p - p.q[i] * q;
+}
+
+}  // namespace
+
+void trace(const Curve& p, const std::optional<Section>& section, bool later, std::vector<TracedCurve>& curves) {
+  std::vector<Curve> factors;
+  append_factors(p, factors);
+  for (Curve& factor : factors) {
+    const auto same = [&factor](const TracedCurve& known) { return same_curve(known.curve, factor); };
+    const auto known = std::find_if(curves.begin(), curves.end(), same);
+    if (known != curves.end()) {
+      known->later = known->later || later;
+      continue;
+    }
+    IntervalCurve enclosed = interval_curve(factor);
+    curves.push_back({std::move(factor), enclosed, factors.size() == 1 ? section : std::nullopt, later});
+  }
+}
+
+std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, const TracedCurve& q) {
+  if (p.enclosed.is_line) return std::vector{p.curve};
+  if (q.enclosed.is_line) return std::vector{q.curve};
+  if (p.section && q.section) {  // where both are 0, factor q line p = +- factor p line q
+    if (is_zero(p.section->line)) return std::vector{q.section->line};
+    if (is_zero(q.section->line)) return std::vector{p.section->line};
+    const Curve u = q.section->factor * p.section->line;
+    const Curve v = p.section->factor * q.section->line;
+    return std::vector{u - v, u + v};
+  }
+  if (is_second_order_proportional(p.curve, q.curve)) return std::vector{radical_line(p.curve, q.curve)};
+  return std::nullopt;
+}
+
+}  // namespace halfspace

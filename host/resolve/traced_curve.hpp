@@ -1,0 +1,32 @@
+// traced_curve.hpp - a curve of a face with what is known of its making: where it meets others follows from that.
+// A section of a quadric with a plane has, in the terms of sheet.hpp, P = line and R = factor constant: it is line^2 = factor^2 d.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "host/resolve/interval_curve.hpp"
+#include "host/resolve/resolved_scene.hpp"
+
+namespace halfspace {
+
+// The curve is line^2 - factor^2 d = 0 up to a constant, d the same for all sections of a list. The limb d = 0 has the line 0.
+struct Section {
+  Curve line;
+  mpz_class factor;
+};
+
+struct TracedCurve {
+  Curve curve;  // irreducible over the rationals, canonical
+  IntervalCurve enclosed;
+  std::optional<Section> section;
+  bool later = false;  // of a half-space after the face's own
+};
+
+// Adds the factors of p, none twice; `section` is p's.
+void trace(const Curve& p, const std::optional<Section>& section, bool later, std::vector<TracedCurve>& curves);
+
+// Lines that pass through every point where p and q meet: p meets each of them there. None known: nothing.
+[[nodiscard]] std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, const TracedCurve& q);
+
+}  // namespace halfspace
