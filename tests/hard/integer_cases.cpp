@@ -59,7 +59,7 @@ class Builder {
   }
 
   void add_half_space(std::istream& in, const std::string& word) {
-    const std::size_t marks = word.find_first_of("!");
+    const std::size_t marks = word.find('!');
     const std::string kind = word.substr(0, std::min(marks, word.find("=t")));
     IntegerHalfSpace h;
     h.complement = marks != std::string::npos;

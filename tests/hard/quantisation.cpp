@@ -54,7 +54,6 @@ void QuantisationError::extend(const QuantisationError& other) {
   bound = std::max(bound, other.bound);
   radius = std::max(radius, other.radius);
   levels = std::max(levels, other.levels);
-  dots += other.dots;
 }
 
 QuantisationError quantisation_error(const Scene& scene, const IntegerScene& integers, const Levels& levels) {
@@ -64,16 +63,17 @@ QuantisationError quantisation_error(const Scene& scene, const IntegerScene& int
   const oracle::RayCaster<oracle::Real> sure(truth, fit, integers.width, integers.height, integers.levels);
   QuantisationError error;
   error.bound = integers.bound;
-  error.dots = levels.size();
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double x = static_cast<double>(i % static_cast<std::size_t>(integers.width)) + 0.5;
-    const double y = static_cast<double>(i / static_cast<std::size_t>(integers.width)) + 0.5;
-    std::optional<double> off = level_error(quick.shade(x, y), levels[i]);
-    if (!off || *off > doubtful) off = level_error(to_double(sure.shade(x, y)), levels[i]);
-    if (off && *off <= 0.5) {
-      error.levels = std::max(error.levels, *off);
-    } else {
-      error.radius = std::max(error.radius, least_radius(sure, x, y, levels[i]));
+  auto level = levels.begin();
+  for (int row = 0; row < integers.height; ++row) {
+    for (int column = 0; column < integers.width; ++column, ++level) {
+      const double x = column + 0.5, y = row + 0.5;
+      std::optional<double> off = level_error(quick.shade(x, y), *level);
+      if (!off || *off > doubtful) off = level_error(to_double(sure.shade(x, y)), *level);
+      if (off && *off <= 0.5) {
+        error.levels = std::max(error.levels, *off);
+      } else {
+        error.radius = std::max(error.radius, least_radius(sure, x, y, *level));
+      }
     }
   }
   return error;

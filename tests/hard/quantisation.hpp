@@ -5,8 +5,6 @@
 // Cost    About 1 us for a dot and body; a dot whose centre does not do takes some ms.
 #pragma once
 
-#include <cstdint>
-
 #include "host/flatten/integer_scene.hpp"
 #include "host/scene/scene.hpp"
 #include "tests/hard/drawing.hpp"
@@ -17,9 +15,8 @@ struct QuantisationError {
   double bound = 0;   // dots, as the flattener states it
   double radius = 0;  // dots; 1 when no radius does
   double levels = 0;
-  std::uint64_t dots = 0;
 
-  void extend(const QuantisationError& other);  // the larger of each, and the sum of dots
+  void extend(const QuantisationError& other);  // the larger of each
 };
 
 // `levels`: the whole page. The text must give both half-sizes of its window.
