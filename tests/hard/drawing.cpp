@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "firmware/core/memory_source.hpp"
 #include "host/job/job_writer.hpp"
 #include "tests/oracle/exact_oracle.hpp"
 
