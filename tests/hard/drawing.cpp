@@ -5,6 +5,7 @@
 
 #include "firmware/core/memory_source.hpp"
 #include "host/job/job_writer.hpp"
+#include "host/resolve/resolve.hpp"
 #include "tests/oracle/exact_oracle.hpp"
 
 namespace halfspace::testing {
@@ -44,13 +45,13 @@ Lines all_lines(const IntegerScene& scene) {
   return lines;
 }
 
-Drawing::Drawing(const IntegerScene& scene) : scene_(scene), resolved_(resolve(scene)) {}
+Drawing::Drawing(const IntegerScene& scene) : scene_(scene), resolved_(resolve(scene).scene) {}
 
 Levels Drawing::draw(std::int32_t background, Shader shader, const Lines& lines, Comparison& failure) const {
   JobOptions options;
   options.page = {scene_.width, scene_.height, DotFormat::gray, scene_.levels, background};
   options.measure = false;
-  const JobResult job = write_job(scene_, resolved_.scene, options);
+  const JobResult job = write_job(scene_, resolved_, options);
   if (!job.diagnostics.empty()) {
     failure.limit = format(job.diagnostics.front());
     return {};

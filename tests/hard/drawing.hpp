@@ -9,7 +9,7 @@
 
 #include "firmware/core/engine.hpp"
 #include "host/flatten/integer_scene.hpp"
-#include "host/resolve/resolve.hpp"
+#include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace::testing {
 
@@ -32,9 +32,7 @@ class Drawing {
  public:
   explicit Drawing(const IntegerScene& scene);
 
-  // What the resolver says; nothing is drawn then.
-  [[nodiscard]] const Diagnostics& refusals() const { return resolved_.diagnostics; }
-  [[nodiscard]] const ResolvedScene& resolved() const { return resolved_.scene; }
+  [[nodiscard]] const ResolvedScene& resolved() const { return resolved_; }
 
   [[nodiscard]] Comparison compare(std::int32_t levels, Shader shader, const Lines& lines, const Levels& truth);
 
@@ -42,7 +40,7 @@ class Drawing {
   [[nodiscard]] Levels draw(std::int32_t background, Shader shader, const Lines& lines, Comparison& failure) const;
 
   IntegerScene scene_;
-  ResolveResult resolved_;
+  ResolvedScene resolved_;
 };
 
 [[nodiscard]] Levels true_levels(IntegerScene scene, std::int32_t levels, const Lines& lines);

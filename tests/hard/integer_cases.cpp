@@ -300,6 +300,36 @@ const std::vector<IntegerCase> table = {
      "light 3 -10 -1000 1 49 50 body -9 -9 0 sphere 0 0 0 4 body -9 5 0 quadric 9 1 1 0 0 0 0 0 0 -36 "
      "body 6 -4 0 quadric 1 40 1 0 0 0 0 0 0 -64 body 5 8 0 quadric 1 1 0 0 0 0 0 0 -2 -1 plane 0 0 1 -12 "
      "body 12 8 0 quadric 40 40 40 0 0 0 -20 -20 0 0"},
+    {"viviani",
+     "body 0 0 0 sphere 0 0 0 144 quadric 1 0 1 0 0 0 -6 0 0 0 "
+     "body 0 0 0 sphere 0 0 0 144 quadric! 1 0 1 0 0 0 -6 0 0 0 plane 1 0 0 -1"},
+    {"unequal_cylinders",
+     "body 0 0 0 quadric 0 1 1 0 0 0 0 0 0 -100 quadric 100000 0 100000 0 0 0 0 0 0 -9999999 quadric 1 1 0 0 0 0 0 0 0 "
+     "-100 "
+     "quadric! 0 2 2 0 -1 0 0 0 0 -9"},
+    {"eight_quadrics",
+     "body 0 0 0 sphere 0 0 0 144 quadric 0 1 1 0 0 0 0 0 0 -100 quadric 1 0 1 0 0 0 0 0 0 -110 quadric 10 5 5 1 0 0 0 "
+     "0 0 -700 "
+     "quadric 1 1 0 0 0 0 0 0 -5 -100 quadric 2 -1 2 0 0 0 0 0 0 -150 sphere! 2 -4 -10 25 quadric! 3 3 -1 0 0 0 9 9 0 "
+     "54"},
+    {"cones_with_one_apex",
+     "body 0 0 0 sphere 0 0 0 169 quadric! 2 -1 1 0 0 0 0 0 0 0 quadric 1 -1 2 0 0 0 0 0 0 0 "
+     "body 0 0 -20 quadric 1 1 -4 0 0 0 0 0 0 0 quadric 4 1 -4 0 0 0 0 0 0 0 plane 0 0 1 -6 plane 0 0 -1 -2"},
+    {"quadrics_that_touch_along_curves",
+     "body -9 0 0 quadric 1 0 1 0 0 0 0 0 0 -36 sphere! 0 0 0 36 plane 0 1 0 -8 plane 0 -1 0 -8 plane 0 0 -1 0 "
+     "body 0 -2 0 quadric 4 1 4 0 0 0 0 0 0 -100 sphere! 0 0 0 25 plane 1 0 -1 0 "
+     "body 9 5 0 quadric 1 -1 1 0 0 0 0 0 0 0 sphere 0 8 0 32 body 9 -9 0 sphere 0 0 0 25 quadric! 1 1 0 0 0 0 0 0 0 "
+     "-25"},
+    {"quadrics_with_a_common_ruling",
+     "body -8 0 0 quadric 1 1 0 0 0 0 -6 0 0 0 quadric 1 0 0 0 -1 0 0 0 0 0 plane 0 0 -1 -9 plane 0 0 1 -9 "
+     "body 8 0 0 quadric 1 0 1 0 0 0 6 0 0 0 quadric! 1 0 1 0 0 0 3 0 0 0 plane 0 1 0 -9 plane 0 -1 0 -9 "
+     "body 0 0 9 quadric 0 0 0 1 0 0 0 0 -2 0 quadric 0 0 0 0 1 0 -2 0 0 0 plane 0 0 -1 -9 plane 0 0 1 -9"},
+    {"meeting_along_view",
+     "body -8 0 0 quadric 1 1 0 0 0 0 3 0 0 -16 quadric 1 1 0 0 0 0 -3 0 0 -16 plane 1 2 -4 0 plane 0 0 1 -9 "
+     "body 8 0 0 sphere 0 0 0 49 quadric 1 1 0 0 0 0 0 0 -1 -23"},
+    {"spheres_that_osculate_an_ellipsoid",
+     "body 0 0 0 quadric 1 4 4 0 0 0 0 0 0 -144 sphere! 9 0 0 9 sphere! 0 0 0 36 plane 0 0 -1 0 "
+     "body 0 12 0 quadric 1 4 4 0 0 0 0 0 0 -16 sphere 3 0 0 1"},
     {"narrow_far_parabola",
      "body 0 0 0 quadric 1 1 1000000 0 0 0 0 0 -1000000000000 999999999999999936 "
      "body -5 -5 0 quadric 1000000 1000000 1000000 0 0 0 0 0 -1000000000000 999999999991000000 "

@@ -1,11 +1,9 @@
 #include "tests/hard/text_cases.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 
 #include "host/scene/parse.hpp"
 
@@ -13,17 +11,6 @@ namespace halfspace::testing {
 namespace {
 
 const std::filesystem::path folder = HALFSPACE_SOURCE_DIR "/tests/hard/scenes";
-
-constexpr std::array meeting = {
-    std::string_view("spheres_tangent_outside_one_body"),
-    std::string_view("spheres_tangent_inside_one_body"),
-    std::string_view("equal_spheres_a_hair_apart_one_body"),
-    std::string_view("cone_apex_inside_ball"),
-    std::string_view("cone_apex_on_ball"),
-    std::string_view("steinmetz_2"),
-    std::string_view("steinmetz_3"),
-    std::string_view("steinmetz_6"),
-};
 
 std::vector<std::string> find_names() {
   std::vector<std::string> names;
@@ -43,8 +30,6 @@ std::string text_of(const std::string& name) {
   std::ifstream in(folder / (name + ".uq"));
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
-
-bool needs_meeting(const std::string& name) { return std::find(meeting.begin(), meeting.end(), name) != meeting.end(); }
 
 Flattened flatten_text(const std::string& name, const std::string& text, std::int32_t width, std::int32_t height) {
   Flattened result;

@@ -15,10 +15,6 @@ namespace halfspace::testing {
 
 [[nodiscard]] std::string text_of(const std::string& name);
 
-// Cases, of text and of integers, in which two quadrics meet in a body: the resolver refuses them. A case that is drawn must leave
-// this list.
-[[nodiscard]] bool needs_meeting(const std::string& name);
-
 // A text and what became of it.
 struct Flattened {
   Scene scene;
