@@ -1,0 +1,98 @@
+#include "tests/hard/drawing.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "firmware/core/memory_source.hpp"
+#include "host/job/job_writer.hpp"
+#include "host/resolve/resolve.hpp"
+#include "tests/oracle/exact_oracle.hpp"
+
+namespace halfspace::testing {
+namespace {
+
+// Keeps the lines asked for.
+class Collector final : public BandSink {
+ public:
+  Collector(std::int32_t width, const Lines& lines) : width_(static_cast<std::size_t>(width)), lines_(lines) {}
+
+  bool put_band(const Band& band) override {
+    for (; next_ < lines_.size() && lines_[next_] < band.y + band.rows; ++next_) {
+      const auto row = band.bytes.subspan(static_cast<std::size_t>(lines_[next_] - band.y) * width_, width_);
+      dots_.insert(dots_.end(), row.begin(), row.end());
+    }
+    return true;
+  }
+  [[nodiscard]] const Levels& dots() const { return dots_; }
+
+ private:
+  std::size_t width_;
+  const Lines& lines_;
+  std::size_t next_ = 0;
+  Levels dots_;
+};
+
+std::string place(const Lines& lines, std::int32_t width, std::size_t i) {
+  const auto w = static_cast<std::size_t>(width);
+  return std::to_string(i % w) + ", " + std::to_string(lines[i / w]);
+}
+
+}  // namespace
+
+Lines all_lines(const IntegerScene& scene) {
+  Lines lines(static_cast<std::size_t>(scene.height));
+  std::iota(lines.begin(), lines.end(), 0);
+  return lines;
+}
+
+Drawing::Drawing(const IntegerScene& scene) : scene_(scene), resolved_(resolve(scene).scene) {}
+
+Levels Drawing::draw(std::int32_t background, Shader shader, const Lines& lines, Comparison& failure) const {
+  JobOptions options;
+  options.page = {scene_.width, scene_.height, DotFormat::gray, scene_.levels, background};
+  options.measure = false;
+  const JobResult job = write_job(scene_, resolved_, options);
+  if (!job.diagnostics.empty()) {
+    failure.limit = format(job.diagnostics.front());
+    return {};
+  }
+  std::vector<std::uint64_t> memory(memory_needed(job.header, 16) / 8 + 1);
+  MemorySource source(job.bytes);
+  Collector collector(scene_.width, lines);
+  const DrawResult result = halfspace::draw(source, collector, std::as_writable_bytes(std::span(memory)),
+                                            {.shader = shader, .band_rows = 16, .measure = false}, all_modules);
+  if (result.status != DrawStatus::ok) failure.wrong = "core status " + std::to_string(static_cast<int>(result.status));
+  return collector.dots();
+}
+
+// Drawn on black and on white: a dot that differs shows no face.
+Comparison Drawing::compare(std::int32_t levels, Shader shader, const Lines& lines, const Levels& truth) {
+  scene_.levels = levels;
+  Comparison result;
+  Levels drawn = draw(0, shader, lines, result);
+  const Levels white = draw(levels - 1, shader, lines, result);
+  if (!result.limit.empty() || !result.wrong.empty()) return result;
+  if (drawn.size() != truth.size()) return {"", "the core left out scan lines"};
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (drawn[i] != white[i]) drawn[i] = -1;
+  }
+  const auto [first, other] = std::mismatch(drawn.begin(), drawn.end(), truth.begin());
+  if (first == drawn.end()) return {};
+  const std::size_t wrong = std::inner_product(drawn.begin(), drawn.end(), truth.begin(), std::size_t{0}, std::plus<>(),
+                                               std::not_equal_to<>());
+  return {"", std::to_string(wrong) + " wrong dots of " + std::to_string(levels) + " levels; dot (" +
+                  place(lines, scene_.width, static_cast<std::size_t>(first - drawn.begin())) + ") is " +
+                  std::to_string(*first) + ", truth " + std::to_string(*other)};
+}
+
+Levels true_levels(IntegerScene scene, std::int32_t levels, const Lines& lines) {
+  scene.levels = levels;
+  Levels truth;
+  for (const std::int32_t y : lines) {
+    const Levels line = oracle::draw(scene, y, y + 1);
+    truth.insert(truth.end(), line.begin(), line.end());
+  }
+  return truth;
+}
+
+}  // namespace halfspace::testing
