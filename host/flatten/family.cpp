@@ -5,20 +5,18 @@
 #include <map>
 #include <utility>
 
+#include "host/flatten/ranked_squares.hpp"
 #include "host/flatten/rational.hpp"
-#include "host/flatten/spectrum.hpp"
 
 namespace halfspace {
 namespace {
 
 constexpr int scale_limit = 100;  // bits; 20 to 40 are common
 
-// The common quadric in a frame in which the world's 1 is 1: sum w (n . u + offset)^2 + 2 rest . u + constant.
+// The common quadric in a frame in which the world's 1 is 1.
 struct CommonSquares {
-  std::vector<SquareTerm> squares;
-  std::optional<Vector3> rest;
+  RankedSquares form;
   std::vector<Vector3> free;  // directions that no form above depends on: unit normals of a basis's remaining forms
-  Real constant = 0;
 };
 
 Vector3 perpendicular_to(const Vector3& v) {
@@ -39,36 +37,13 @@ std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   return {second, cross(known[0], second)};
 }
 
-// What the ranks say is there, is there: none where 113 bits cannot tell it from 0.
 std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin) {
-  const Spectrum spectrum = spectrum_of(common);
-  std::array<std::size_t, 3> order{0, 1, 2};
-  const auto size = [&](std::size_t i) { return magnitude(spectrum.values[i]); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
-  CommonSquares result;
-  result.constant = common.c[9];
+  auto form = ranked_squares_of(common, kin);
+  if (!form) return std::nullopt;
   std::vector<Vector3> axes;
-  Vector3 rest{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3& axis = spectrum.vectors[order[k]];
-    const Real along = dot(axis, {common.c[6], common.c[7], common.c[8]});
-    if (k >= kin.squares) {
-      rest = sum(rest, scaled(axis, along));
-      continue;
-    }
-    if (size(order[k]) <= power_of_two(-zero_bits) * size(order[0])) return std::nullopt;
-    const Real offset = along / spectrum.values[order[k]];
-    result.squares.push_back({spectrum.values[order[k]], {axis[0], axis[1], axis[2], offset}});
-    result.constant -= along * offset;
-    axes.push_back(axis);
-  }
-  if (kin.rank == kin.squares + 2) {
-    if (largest(rest) == 0) return std::nullopt;
-    result.rest = rest;
-    axes.push_back(unit(rest));
-  }
-  result.free = missing_axes(axes);
-  return result;
+  for (const SquareTerm& term : form->squares) axes.push_back({term.form[0], term.form[1], term.form[2]});
+  if (form->rest) axes.push_back(unit(*form->rest));
+  return CommonSquares{std::move(*form), missing_axes(axes)};
 }
 
 // The columns of the inverse, by elimination; not finite where there is none.
@@ -132,10 +107,11 @@ PageForms page_forms(const CommonSquares& common, const Matrix4& to_forms, const
     }
     return moved;
   };
-  for (const SquareTerm& term : common.squares) page.squares.push_back({term.weight, on_page(term.form)});
-  if (common.rest) page.rest = on_page({(*common.rest)[0], (*common.rest)[1], (*common.rest)[2], 0});
+  for (const SquareTerm& term : common.form.squares) page.squares.push_back({term.weight, on_page(term.form)});
+  if (common.form.rest)
+    page.rest = on_page({(*common.form.rest)[0], (*common.form.rest)[1], (*common.form.rest)[2], 0});
   for (const Vector3& axis : common.free) on_page({axis[0], axis[1], axis[2], 0});
-  page.constant = common.constant;
+  page.constant = common.form.constant;
   basis[3] = to_real(page.one.form);
   page.dual = dual_basis(basis);
   return page;
