@@ -138,7 +138,8 @@ std::vector<Interval> certain_sign_changes(const Polynomial& f) {
   const Doubles near_roots = guesses(rounded, bound);
   for (std::size_t i = 0; i < near_roots.count; ++i) {
     const double x = near_roots.c[i];
-    for (double radius = std::abs(x) * 0x1p-48 + 0x1p-60; radius < 0x1p-6; radius *= 64) {
+    double radius = std::abs(x) * 0x1p-48 + 0x1p-60;
+    for (int attempt = 0; attempt < 6; ++attempt, radius *= 64) {
       const Interval near{x - radius, x + radius};
       if (!found.empty() && !(found.back().high < near.low)) break;
       if (!changes_sign(enclosed, near)) continue;

@@ -51,6 +51,7 @@ std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
   if (static_cast<int>(found.size()) != count) return isolated_roots(f);
   const auto shared = std::make_shared<const Polynomial>(f);
   std::vector<LineRoot> roots;
+  roots.reserve(found.size());
   for (const Interval& near : found) roots.push_back({shared, near, std::nullopt});
   return roots;
 }

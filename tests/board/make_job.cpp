@@ -53,15 +53,16 @@ bool compile(const Request& request, Compiled& compiled) {
   const FlattenResult flat = flatten(parsed.scene, flat_options);
   if (!accepted(flat.diagnostics)) return false;
   const Page page{request.width, request.height, DotFormat::bilevel, request.levels, request.levels - 1};
-  compiled.job = write_job(flat.scene, resolve(flat.scene), {.page = page});
+  const ResolvedScene resolved = resolve(flat.scene);
+  compiled.job = write_job(flat.scene, resolved, {.page = page});
   if (!accepted(compiled.job.diagnostics)) return false;
   if (compiled.job.header.needs.exact_bits > exact_768.bits) {
     std::cerr << request.scene << ": error: needs exact arithmetic of " << compiled.job.header.needs.exact_bits
               << " bits, and the board's stack holds 768; draw it smaller or with fewer levels\n";
     return false;
   }
-  for (const Arc& arc : resolved.scene.arcs) compiled.kinds.insert(arc_kind(flat.scene, arc).value());
-  for (const Face& face : resolved.scene.faces) {
+  for (const Arc& arc : resolved.arcs) compiled.kinds.insert(arc_kind(flat.scene, arc).value());
+  for (const Face& face : resolved.faces) {
     const IntegerHalfSpace& h = flat.scene.bodies[face.body].half_spaces[face.half_space];
     if (h.kind == HalfSpaceKind::plane) continue;
     (h.c[2] != 0 ? compiled.roots : compiled.rationals) = true;

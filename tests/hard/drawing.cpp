@@ -45,7 +45,7 @@ Lines all_lines(const IntegerScene& scene) {
   return lines;
 }
 
-Drawing::Drawing(const IntegerScene& scene) : scene_(scene), resolved_(resolve(scene).scene) {}
+Drawing::Drawing(const IntegerScene& scene) : scene_(scene), resolved_(resolve(scene)) {}
 
 Levels Drawing::draw(std::int32_t background, Shader shader, const Lines& lines, Comparison& failure) const {
   JobOptions options;
