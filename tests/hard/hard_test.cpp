@@ -115,6 +115,19 @@ TEST_P(HardCase, IsExactAndKeepsItsPromise) {
 INSTANTIATE_TEST_SUITE_P(Hard, HardCase, ::testing::ValuesIn(text_cases()),
                          [](const auto& tested) { return tested.param; });
 
+TEST(HardCases, AWrongDotIsTold) {
+  const Flattened flat = flatten_text("steinmetz_2", text_of("steinmetz_2"), 33, 33);
+  const Lines lines = all_lines(flat.integers);
+  Levels picture = true_levels(flat.integers, 65, lines);
+  EXPECT_EQ(quantisation_error(flat.scene, flat.integers, picture).radius, 0);
+  picture[16 * 33 + 16] -= 3;
+  EXPECT_NE(Drawing(flat.integers)
+                .compare(65, Shader::isqrt, lines, picture)
+                .wrong.find("1 wrong dots of 65 levels; dot (16, 16)"),
+            std::string::npos);
+  EXPECT_EQ(quantisation_error(flat.scene, flat.integers, picture).radius, 1);
+}
+
 TEST(HardCases, AreThereBothAsTextAndAsIntegers) {
   std::vector<std::string> names;
   for (const IntegerCase& item : integer_cases()) names.emplace_back(item.name);

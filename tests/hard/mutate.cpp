@@ -80,6 +80,13 @@ void nudge_number(std::string& statement, Dice& dice) {
   statement = changed + ">";
 }
 
+std::string id_of(const std::string& statement) {
+  std::istringstream in(statement);
+  std::string word, id;
+  in >> word >> id;
+  return id;
+}
+
 std::string random_vector(Dice& dice) {
   std::array<std::int64_t, 3> v{};
   while (v == std::array<std::int64_t, 3>{}) v = {dice.between(-4, 4), dice.between(-4, 4), dice.between(-4, 4)};
@@ -153,8 +160,13 @@ void mutate_light(IntegerLighting& lighting, Dice& dice) {
 
 std::string mutated_text(const std::string& text, Dice& dice) {
   std::string bodies, rest;
+  std::vector<std::string> ids;  // of the half-spaces so far
   for (std::string statement : statements_of(text)) {
+    if (is_half_space(statement)) ids.push_back(id_of(statement));
     if (is_half_space(statement) && dice.chance(15)) nudge_number(statement, dice);
+    if (statement.starts_with("body") && dice.chance(20)) {
+      statement.insert(statement.find(')'), (dice.chance(50) ? " !" : " ") + one_of(ids, dice));
+    }
     const bool placed = is_half_space(statement) || statement.starts_with("body");
     (placed ? bodies : rest) += statement + ";\n";
   }
@@ -165,11 +177,11 @@ std::string mutated_text(const std::string& text, Dice& dice) {
   return mutated;
 }
 
-void mutate(IntegerScene& scene, Dice& dice) {
+void mutate(IntegerScene& scene, const IntegerScene& donor, Dice& dice) {
   for (std::int64_t i = dice.between(1, 4); i > 0; --i) {
     IntegerBody& body = one_of(scene.bodies, dice);
     IntegerHalfSpace& half_space = one_of(body.half_spaces, dice);
-    switch (dice.below(8)) {
+    switch (dice.below(9)) {
       case 0:
         half_space.complement = !half_space.complement;
         break;
@@ -181,6 +193,9 @@ void mutate(IntegerScene& scene, Dice& dice) {
         break;
       case 3:
         mutate_light(scene.lighting, dice);
+        break;
+      case 4:
+        body.half_spaces.push_back(one_of(one_of(donor.bodies, dice).half_spaces, dice));
         break;
       default: {
         const std::int64_t count = half_space.kind == HalfSpaceKind::plane ? 4 : 10;

@@ -79,11 +79,14 @@ TEST(Mutants, OfIntegersAreExact) {
   Tally tally;
   for (std::uint64_t seed = 1; seed <= mutants() && !HasFailure(); ++seed) {
     Dice dice(seed);
-    const auto index = static_cast<std::size_t>(dice.below(static_cast<std::int64_t>(integer_cases().size())));
+    const auto any_case = [&dice] {
+      return integer_cases()[static_cast<std::size_t>(dice.below(static_cast<std::int64_t>(integer_cases().size())))];
+    };
     const auto width = static_cast<std::int32_t>(dice.between(1, 48));
     const auto height = static_cast<std::int32_t>(dice.between(1, 48));
-    IntegerScene scene = integer_scene(integer_cases()[index], width, height, dice.between(1, 3));
-    mutate(scene, dice);
+    const std::int64_t unit = dice.between(1, 3);
+    IntegerScene scene = integer_scene(any_case(), width, height, unit);
+    mutate(scene, integer_scene(any_case(), width, height, unit), dice);
     check(scene, seed, oracle::describe(scene), tally);
   }
   tally.print("integers");
