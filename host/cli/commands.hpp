@@ -5,19 +5,46 @@
 
 #include "host/cli/output_page.hpp"
 #include "host/cli/pipeline.hpp"
+#include "host/cli/statistics.hpp"
 
 namespace halfspace {
+
+// What is said of a page's drawing, whether its job is made on the way or ready.
+struct PictureRequest {
+  std::string output;
+  std::string shader = "isqrt";
+  StatisticsRequest statistics;
+};
+
+[[nodiscard]] inline Shader shader_named(const std::string& name) {
+  return name == "jordan" ? Shader::jordan : Shader::isqrt;
+}
 
 struct RenderRequest {
   SceneRequest scene;
   PageRequest page;
-  std::string output;
-  std::string shader = "isqrt";
-  bool statistics = false;
-  std::string statistics_file;
+  PictureRequest draw;
 };
 
 [[nodiscard]] ExitStatus run_render(const RenderRequest& request);
+
+struct CompileRequest {
+  SceneRequest scene;
+  PageRequest page;
+  std::string output;
+};
+
+[[nodiscard]] ExitStatus run_compile(const CompileRequest& request);
+
+struct RunRequest {
+  std::string path;
+  std::string device = PageRequest().device;
+  std::int32_t dpi = 0;
+  PictureRequest draw;
+  bool quiet = false;
+};
+
+[[nodiscard]] ExitStatus run_job(const RunRequest& request);
 
 struct InfoRequest {
   SceneRequest scene;

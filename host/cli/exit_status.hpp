@@ -16,7 +16,7 @@ enum class ExitStatus : int {
 // Prints every diagnostic to standard error (warnings unless quiet) and says what they amount to.
 ExitStatus report(const Diagnostics& diagnostics, bool quiet);
 
-// One error without a place in a file.
-ExitStatus fail(ExitStatus status, const std::string& message);
+// One error without a place in a file; `file`, if any, is named in front.
+ExitStatus fail(ExitStatus status, const std::string& message, const std::string& file = "");
 
 }  // namespace halfspace

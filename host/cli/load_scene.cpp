@@ -44,8 +44,8 @@ std::optional<std::string> read_scene_text(const std::string& path) {
 
 }  // namespace
 
-ExitStatus fail(ExitStatus status, const std::string& message) {
-  fmt::print(stderr, "error: {}\n", message);
+ExitStatus fail(ExitStatus status, const std::string& message, const std::string& file) {
+  fmt::print(stderr, "{}error: {}\n", file.empty() ? "" : file + ": ", message);
   return status;
 }
 
@@ -66,8 +66,10 @@ LoadedScene load_scene(const std::vector<std::string>& paths, const std::string&
   for (const std::string& path : paths) {
     const std::string ending = std::filesystem::path(path).extension().string();
     if (language.empty() && path != "-" && ending != ".uq") {
-      loaded.status = fail(ExitStatus::command_line_wrong,
-                           fmt::format("{}: a scene file ends in .uq; rename it or say --language uq", path));
+      loaded.status =
+          fail(ExitStatus::command_line_wrong,
+               ending == ".hsj" ? fmt::format("{}: a job is drawn by itself, with halfspace run", path)
+                                : fmt::format("{}: a scene file ends in .uq; rename it or say --language uq", path));
       return loaded;
     }
     std::optional<std::string> text = read_scene_text(path);

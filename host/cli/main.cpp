@@ -19,17 +19,69 @@ void add_scene_options(CLI::App& command, SceneRequest& scene) {
   command.add_flag("--quiet", scene.quiet, "No warnings and no progress");
 }
 
-void add_page_options(CLI::App& command, PageRequest& page) {
-  command.add_option("-d,--device", page.device, "varian, versatec, gray, ascii, braille, ssd1306 or pwg")
+void add_device_options(CLI::App& command, std::string& device, std::int32_t& dpi) {
+  command.add_option("-d,--device", device, "varian, versatec, gray, ascii, braille, ssd1306 or pwg")
       ->capture_default_str();
+  command.add_option("--dpi", dpi, "Density that a picture records; never changes the geometry, nor a job")
+      ->check(CLI::Range(1, 100000));
+}
+
+void add_page_options(CLI::App& command, PageRequest& page) {
+  add_device_options(command, page.device, page.dpi);
   command.add_option("--size", page.size, "Page in dots, as in 640x480; by default the device's own");
-  command.add_option("--dpi", page.dpi, "Recorded density; never changes the geometry")->check(CLI::Range(1, 100000));
   command.add_option("--levels", page.levels, "Levels from black to white")->check(CLI::Range(2, 256));
   command.add_option("--background", page.background, "Dots that show nothing")
       ->check(CLI::IsMember({"black", "white"}));
   command.add_option("--screen", page.screen, "Halftone screen of bilevel devices")
       ->check(CLI::IsMember({"clustered", "bayer", "blue-noise"}))
       ->capture_default_str();
+}
+
+void add_picture_options(CLI::App& command, PictureRequest& picture) {
+  command.add_option("-o,--output", picture.output,
+                     "A picture (.png .tif .pbm .pgm .exr), the device's bytes (.prn), or - for standard output");
+  command.add_option("--shader", picture.shader, "How the depth of curved faces is found; the dots are the same")
+      ->check(CLI::IsMember({"isqrt", "jordan"}))
+      ->capture_default_str();
+  command.add_flag("--stats", picture.statistics.table, "Print what the picture took");
+  command.add_option("--stats-json", picture.statistics.file,
+                     "Write the same figures to a file; the picture stays where this fails");
+}
+
+struct Requests {
+  RenderRequest render;
+  CompileRequest compile;
+  RunRequest run;
+  InfoRequest info;
+};
+
+struct Commands {
+  CLI::App *render, *compile, *run, *info;
+};
+
+Commands add_commands(CLI::App& app, Requests& requests) {
+  CLI::App* render = app.add_subcommand("render", "Draw scene files on a device");
+  add_scene_options(*render, requests.render.scene);
+  add_page_options(*render, requests.render.page);
+  add_picture_options(*render, requests.render.draw);
+
+  CLI::App* compile = app.add_subcommand("compile", "Make the job that draws scene files on a device");
+  add_scene_options(*compile, requests.compile.scene);
+  add_page_options(*compile, requests.compile.page);
+  compile->add_option("-o,--output", requests.compile.output,
+                      "The job to write, by custom .hsj, or - for standard output");
+
+  CLI::App* run = app.add_subcommand("run", "Draw a job that compile has made");
+  run->add_option("job", requests.run.path, "The job (- is standard input)")->required();
+  add_device_options(*run, requests.run.device, requests.run.dpi);
+  add_picture_options(*run, requests.run.draw);
+  run->add_flag("--quiet", requests.run.quiet, "No progress");
+
+  CLI::App* info = app.add_subcommand("info", "Say what a scene or a job holds and what drawing it needs");
+  add_scene_options(*info, requests.info.scene);
+  info->get_option("scene")->description("Scene files, as for render; or one job (.hsj), which has its own page");
+  add_page_options(*info, requests.info.page);
+  return {render, compile, run, info};
 }
 
 int run(int argc, char** argv) {
@@ -43,36 +95,20 @@ int run(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return fmt::format("error: {}; see halfspace --help\n", error.what());
   });
-
-  RenderRequest render;
-  CLI::App* render_command = app.add_subcommand("render", "Draw scene files on a device");
-  add_scene_options(*render_command, render.scene);
-  add_page_options(*render_command, render.page);
-  render_command->add_option(
-      "-o,--output", render.output,
-      "A picture (.png .tif .pbm .pgm .exr), the device's bytes (.prn), or - for standard output");
-  render_command->add_option("--shader", render.shader, "How the depth of curved faces is found; the dots are the same")
-      ->check(CLI::IsMember({"isqrt", "jordan"}))
-      ->capture_default_str();
-  render_command->add_flag("--stats", render.statistics, "Print what the picture took");
-  render_command->add_option("--stats-json", render.statistics_file,
-                             "Write the same figures to a file; the picture stays where this fails");
-
-  InfoRequest info;
-  CLI::App* info_command = app.add_subcommand("info", "Say what a scene holds and what drawing it needs");
-  add_scene_options(*info_command, info.scene);
-  add_page_options(*info_command, info.page);
-
+  Requests requests;
+  const Commands commands = add_commands(app, requests);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const int status = app.exit(error);
     return status == 0 ? 0 : static_cast<int>(ExitStatus::command_line_wrong);
   }
-  if (*render_command) return static_cast<int>(run_render(render));
-  if (*info_command) return static_cast<int>(run_info(info));
+  if (*commands.render) return static_cast<int>(run_render(requests.render));
+  if (*commands.compile) return static_cast<int>(run_compile(requests.compile));
+  if (*commands.run) return static_cast<int>(run_job(requests.run));
+  if (*commands.info) return static_cast<int>(run_info(requests.info));
   return static_cast<int>(
-      fail(ExitStatus::command_line_wrong, "no command; say render or info (see halfspace --help)"));
+      fail(ExitStatus::command_line_wrong, "no command; say render, compile, run or info (see halfspace --help)"));
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <vector>
 
-#include "firmware/core/memory_source.hpp"
 #include "hal/device_sink.hpp"
+#include "host/cli/job_input.hpp"
 #include "host/picture/simulated_device.hpp"
 #include "host/picture/write_bytes.hpp"
 
@@ -51,21 +51,20 @@ class ProgressSink final : public BandSink {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-const char* describe(DrawStatus status) {
-  switch (status) {
-    case DrawStatus::not_a_job:
-      return "the job's header is damaged";
-    case DrawStatus::bad_record:
-      return "the job is damaged";
-    case DrawStatus::missing_module:
-      return "the job names an arc kind that this program leaves out";
-    case DrawStatus::does_not_fit:
-      return "the job does not fit the core's memory";
-    case DrawStatus::too_many_spans:
-      return "a scan line has too many spans; draw the scene smaller or in parts";
-    default:
-      return "the page was stopped";
-  }
+const char* word(DotFormat format) { return format == DotFormat::bilevel ? "bilevel" : "gray"; }
+
+// Refused: told, with the devices that do take the page.
+ExitStatus check_device(const DeviceTraits& traits, const JobInput& job) {
+  const Page& page = job.header().page;
+  if (takes_page(traits, page)) return ExitStatus::drawn;
+  // A wrong kind of page is a wrong -d; a page too large is a limit of the device.
+  const ExitStatus status = page.format == traits.format ? ExitStatus::limit_exceeded : ExitStatus::command_line_wrong;
+  return job.fail(
+      status,
+      fmt::format("the job draws a {} page of {} x {} dots, and {} takes {} pages of at most {} x {}; compile the "
+                  "scene with -d {}, or run the job on one of {}",
+                  word(page.format), page.width, page.height, traits.name, word(traits.format), traits.max_width,
+                  traits.max_height, traits.name, devices_for(page)));
 }
 
 }  // namespace
@@ -76,37 +75,70 @@ ExitStatus write_text(const std::string& path, const std::string& text) {
   return error ? fail(ExitStatus::device_or_file_failed, *error) : ExitStatus::drawn;
 }
 
-DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRequest& request) {
+bool takes_page(const DeviceTraits& traits, const Page& page) {
+  return page.format == traits.format && page.width <= traits.max_width && page.height <= traits.max_height;
+}
+
+std::string devices_for(const Page& page) {
+  std::string names;
+  for (const KnownDevice& device : known_devices) {
+    if (takes_page(device.traits, page)) names += (names.empty() ? "" : ", ") + std::string(device.traits.name);
+  }
+  return names;
+}
+
+std::optional<std::string> choose_output(const std::string& asked, const KnownDevice& device) {
+  const bool text_device = device.kind == DeviceKind::ascii || device.kind == DeviceKind::braille;
+  const std::string output = asked.empty() && text_device ? "-" : asked;
+  if (output.empty()) {
+    fail(ExitStatus::command_line_wrong,
+         fmt::format("-o is missing: name the file that {} writes", device.traits.name));
+    return std::nullopt;
+  }
+  if (const auto error = check_output_name(output, device.traits)) {
+    fail(ExitStatus::command_line_wrong, *error);
+    return std::nullopt;
+  }
+  return output;
+}
+
+DrawnPage draw_page(ByteSource& job_bytes, const DrawRequest& request) {
   DrawnPage drawn;
+  drawn.status = ExitStatus::device_or_file_failed;
   const double start = processor_seconds();
-  const auto simulated = make_simulated_device(*choice.device, choice.page, choice.dpi);
-  RasterDevice& device = simulated->device();
+  const DeviceTraits& traits = request.device->traits;
   const auto device_failed = [&](const std::string& what) {
-    drawn.status = fail(ExitStatus::device_or_file_failed, fmt::format("{}: {}", choice.device->traits.name, what));
+    drawn.status = fail(ExitStatus::device_or_file_failed, fmt::format("{}: {}", traits.name, what));
   };
-  if (const DeviceStatus status = device.begin_page(choice.page); status != DeviceStatus::ok) {
+  JobInput job(job_bytes, request.job_name);
+  if (!job.has_header()) return drawn;
+  drawn.header = job.header();
+  drawn.status = check_device(traits, job);
+  if (drawn.status != ExitStatus::drawn) return drawn;
+  const auto simulated = make_simulated_device(*request.device, drawn.header.page, request.dpi);
+  RasterDevice& device = simulated->device();
+  if (const DeviceStatus status = device.begin_page(drawn.header.page); status != DeviceStatus::ok) {
     device_failed(fmt::format("the page is refused: {}", describe(status)));
     return drawn;
   }
-  const std::int32_t rows = choice.device->traits.preferred_band_rows;
-  drawn.core_bytes = memory_needed(job.header, rows);
+  const std::int32_t rows = traits.preferred_band_rows;
+  drawn.core_bytes = memory_needed(drawn.header, rows);
   std::vector<std::uint64_t> memory(drawn.core_bytes / 8 + 1);
-  MemorySource source(job.bytes);
   DeviceSink sink(device, simulated->clock(), patience_ms);
   {
-    ProgressSink progress(sink, choice.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
-    drawn.result = draw(source, progress, std::as_writable_bytes(std::span(memory)),
+    ProgressSink progress(sink, drawn.header.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
+    drawn.result = draw(job.reader(), drawn.header, progress, std::as_writable_bytes(std::span(memory)),
                         {.shader = request.shader, .band_rows = rows, .measure = false}, all_modules);
   }
-  if (drawn.result.status != DrawStatus::ok) {
+  if (drawn.result.status == DrawStatus::stopped) {
     device.abort();
-    if (drawn.result.status == DrawStatus::stopped) {
-      device_failed(describe(sink.status()));
-    } else {
-      const bool limit = drawn.result.status == DrawStatus::too_many_spans;
-      drawn.status = fail(limit ? ExitStatus::limit_exceeded : ExitStatus::device_or_file_failed,
-                          fmt::format("{} (scan line {})", describe(drawn.result.status), drawn.result.line));
-    }
+    device_failed(describe(sink.status()));
+    return drawn;
+  }
+  drawn.status = job.verdict(drawn.result);
+  drawn.job_bytes = job.bytes();
+  if (drawn.status != ExitStatus::drawn) {
+    device.abort();
     return drawn;
   }
   if (const DeviceStatus status = device.end_page(); status != DeviceStatus::ok) {
@@ -114,7 +146,7 @@ DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRe
     return drawn;
   }
   drawn.seconds = processor_seconds() - start;
-  if (const auto error = write_output(*simulated, choice.dpi, request.output)) {
+  if (const auto error = write_output(*simulated, request.dpi, request.output)) {
     drawn.status = fail(ExitStatus::device_or_file_failed, *error);
   }
   return drawn;

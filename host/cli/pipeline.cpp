@@ -1,6 +1,7 @@
 #include "host/cli/pipeline.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <charconv>
 #include <ctime>
@@ -67,6 +68,26 @@ bool choose_size(const PageRequest& request, PageChoice& choice) {
   return true;
 }
 
+// On a terminal, which stage of a job's making is at work; wiped when it is done. Silent in a pipe.
+class StageLine {
+ public:
+  explicit StageLine(bool quiet) : show_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  StageLine(const StageLine&) = delete;
+  StageLine& operator=(const StageLine&) = delete;
+  ~StageLine() { wipe(); }
+
+  void tell(const std::string& stage) {
+    if (show_) fmt::print(stderr, "\r\x1b[K{}", stage);
+    shown_ = show_;
+  }
+  void wipe() {
+    if (std::exchange(shown_, false)) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool show_, shown_ = false;
+};
+
 Screen screen_named(const std::string& name) {
   if (name == "bayer") return Screen::bayer;
   return name == "blue-noise" ? Screen::blue_noise : Screen::clustered;
@@ -113,19 +134,25 @@ Pipeline make_job(const SceneRequest& request, const PageChoice& choice, bool me
   p.status = loaded.status;
   if (p.status != ExitStatus::drawn) return p;
 
+  StageLine stage(request.quiet);
+  stage.tell("placing bodies");
   const DeviceTraits& traits = choice.device->traits;
   FlattenResult flat = flatten(loaded.scene, {choice.page.width, choice.page.height, choice.page.levels,
                                               traits.aspect_numerator, traits.aspect_denominator, request.view});
   p.times.flatten = lap();
+  stage.wipe();
   p.status = report(flat.diagnostics, request.quiet);
   p.scene = std::move(flat.scene);
   if (p.status != ExitStatus::drawn) return p;
 
+  stage.tell(fmt::format("resolving {} bodies", p.scene.bodies.size()));
   p.resolved = resolve(p.scene);
   p.times.resolve = lap();
 
+  stage.tell(fmt::format("writing the job of {} faces", p.resolved.faces.size()));
   p.job = write_job(p.scene, p.resolved, {choice.page, choice.screen, measure});
   p.times.job = lap();
+  stage.wipe();
   p.status = report(p.job.diagnostics, request.quiet);
   return p;
 }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <variant>
 
+#include "host/cli/job_input.hpp"
 #include "host/job/limits.hpp"
 
 namespace halfspace {
@@ -66,10 +69,20 @@ Table renderer_table(const DrawnPage& d) {
            {"core_bytes", "RAM of the core, bytes (stack apart)", count(d.core_bytes)}}};
 }
 
+Table job_table(const DrawnPage& d) {
+  return {"job",
+          "Job",
+          {{"job_bytes", "bytes of the job", count(d.job_bytes)},
+           {"bound_dots", "bound of the silhouette's error, dots", bound_in_dots(d.header)}}};
+}
+
+double draw_ns_per_dot(const DrawnPage& d) {
+  return 1e9 * d.seconds / std::max<double>(1, static_cast<double>(d.result.counters.dots));
+}
+
 Table time_table(const Pipeline& p, const DrawnPage& d) {
   const StageTimes& t = p.times;
   const double total = t.read + t.flatten + t.resolve + t.job + d.seconds;
-  const double dots = d.result.counters.dots == 0 ? 1 : static_cast<double>(d.result.counters.dots);
   return {"seconds",
           "Processor seconds (table 7.3)",
           {{"reader", "reader", t.read},
@@ -77,11 +90,19 @@ Table time_table(const Pipeline& p, const DrawnPage& d) {
            {"job", "job writer, with the renderer's sweep in advance", t.job},
            {"draw", "renderer, shader, stipple and driver", d.seconds},
            {"total", "total", total},
-           {"draw_ns_per_dot", "draw, nanoseconds per shaded dot", 1e9 * d.seconds / dots}}};
+           {"draw_ns_per_dot", "draw, nanoseconds per shaded dot", draw_ns_per_dot(d)}}};
 }
 
-std::vector<Table> tables(const Pipeline& p, const DrawnPage& d) {
-  return {resolver_table(p), renderer_table(d), time_table(p, d)};
+Table time_table(const DrawnPage& d) {
+  return {"seconds",
+          "Processor seconds (table 7.3)",
+          {{"draw", "job reader, renderer, shader, stipple and driver", d.seconds},
+           {"draw_ns_per_dot", "draw, nanoseconds per shaded dot", draw_ns_per_dot(d)}}};
+}
+
+std::vector<Table> tables(const Pipeline* p, const DrawnPage& d) {
+  if (p == nullptr) return {job_table(d), renderer_table(d), time_table(d)};
+  return {resolver_table(*p), renderer_table(d), time_table(*p, d)};
 }
 
 std::string number(const Figure& figure) {
@@ -89,21 +110,19 @@ std::string number(const Figure& figure) {
   return fmt::format("{:.6g}", std::get<double>(figure.value));
 }
 
-}  // namespace
-
-std::string statistics_text(const Pipeline& pipeline, const DrawnPage& drawn) {
+std::string as_text(const std::vector<Table>& tables) {
   std::string text;
-  for (const Table& table : tables(pipeline, drawn)) {
+  for (const Table& table : tables) {
     text += fmt::format("{}\n", table.title);
     for (const Figure& figure : table.figures) text += fmt::format("  {:<50} {:>14}\n", figure.words, number(figure));
   }
   return text;
 }
 
-std::string statistics_json(const Pipeline& pipeline, const DrawnPage& drawn) {
+std::string as_json(const std::vector<Table>& tables) {
   std::string text = "{";
   const char* between_tables = "\n";
-  for (const Table& table : tables(pipeline, drawn)) {
+  for (const Table& table : tables) {
     text += fmt::format("{}  \"{}\": {{", between_tables, table.key);
     const char* between = "\n";
     for (const Figure& figure : table.figures) {
@@ -114,6 +133,19 @@ std::string statistics_json(const Pipeline& pipeline, const DrawnPage& drawn) {
     between_tables = ",\n";
   }
   return text + "\n}\n";
+}
+
+}  // namespace
+
+ExitStatus write_statistics(const StatisticsRequest& request, const std::string& picture, const Pipeline* pipeline,
+                            const DrawnPage& drawn) {
+  if (!wanted(request)) return ExitStatus::drawn;
+  const std::vector<Table> all = tables(pipeline, drawn);
+  ExitStatus status = ExitStatus::drawn;
+  if (request.table && picture == "-") fmt::print(stderr, "{}", as_text(all));
+  if (request.table && picture != "-") status = write_text("-", as_text(all));
+  if (status != ExitStatus::drawn || request.file.empty()) return status;
+  return write_text(request.file, as_json(all));
 }
 
 }  // namespace halfspace

@@ -8,8 +8,16 @@
 
 namespace halfspace {
 
+struct StatisticsRequest {
+  bool table = false;  // printed where the picture does not go
+  std::string file;    // JSON; empty: none
+};
+
+[[nodiscard]] inline bool wanted(const StatisticsRequest& request) { return request.table || !request.file.empty(); }
+
 // Table 7.1: what the resolver was given and made. Table 7.2: operations of the core. Table 7.3: processor seconds.
-[[nodiscard]] std::string statistics_text(const Pipeline& pipeline, const DrawnPage& drawn);
-[[nodiscard]] std::string statistics_json(const Pipeline& pipeline, const DrawnPage& drawn);
+// Of a ready job (no pipeline) table 7.1 is the job itself, and table 7.3 its drawing.
+[[nodiscard]] ExitStatus write_statistics(const StatisticsRequest& request, const std::string& picture,
+                                          const Pipeline* pipeline, const DrawnPage& drawn);
 
 }  // namespace halfspace
