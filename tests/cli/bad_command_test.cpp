@@ -26,12 +26,23 @@ Arguments with_levels(const char* levels) { return draw({"-d", "gray", "--levels
 
 std::vector<BadCommand> bad_commands() {
   return {
-      {"Nothing", {}, 2, {"no command", "render or info"}},
+      {"Nothing", {}, 2, {"no command", "render, compile, run or info"}},
       {"UnknownSubcommand", {"draw", tube}, 2, {"draw"}},
       {"UnknownOption", draw({"-o", "out.png", "--colour"}), 2, {"--colour"}},
       {"NoScene", {"render", "-o", "out.png"}, 2, {"scene"}},
       {"NoOutput", draw({"-d", "gray"}), 2, {"-o is missing"}},
       {"EmptyOutput", draw({"-d", "gray", "-o", ""}), 2, {"-o is missing"}},
+      {"CompileWithoutOutput", {"compile", tube}, 2, {"-o is missing", ".hsj"}},
+      {"CompileOntoItsScene", {"compile", tube, "-o", tube}, 2, {tube, "name another file"}},
+      {"CompileForTooLargeAPage", {"compile", tube, "-d", "ssd1306", "--size", "129x64", "-o", "a.hsj"}, 4, {"128x64"}},
+      {"CompileForAnUnknownDevice", {"compile", tube, "-d", "laser", "-o", "a.hsj"}, 2, {"laser", "varian"}},
+      {"CompileWithAShader", {"compile", tube, "--shader", "jordan", "-o", "a.hsj"}, 2, {"--shader"}},
+      {"RunWithoutJob", {"run", "-o", "out.png"}, 2, {"job"}},
+      {"RunWithoutOutput", {"run", "a.hsj"}, 2, {"-o is missing"}},
+      {"RunInAnotherSize", {"run", "a.hsj", "--size", "8x8", "-o", "out.png"}, 2, {"--size"}},
+      {"RunOnAnUnknownDevice", {"run", "a.hsj", "-d", "laser", "-o", "out.png"}, 2, {"laser", "varian"}},
+      {"RenderAJob", {"render", "a.hsj", "-o", "out.png"}, 2, {"a.hsj", "halfspace run"}},
+      {"InfoOfAJobInAnotherSize", {"info", "a.hsj", "--size", "8x8"}, 2, {"a.hsj: error: --size", "settled"}},
       {"UnknownDevice", draw({"-d", "laser", "-o", "out.png"}), 2, {"laser", "varian", "versatec", "gray", "pwg"}},
       {"UnknownView", draw({"--view", "nowhere", "--size", "8x8", "-o", "out.png"}), 1, {"nowhere", "front"}},
       {"UnknownEnding", draw({"-o", "out.jpeg"}), 2, {"out.jpeg", ".png"}},
@@ -79,17 +90,21 @@ const Arguments exit_statuses{
     "file failed;\n4 a stated limit is exceeded."};
 const Arguments shared_options{"--device",     "-d",       "--size", "--dpi",      "--levels",
                                "--background", "--screen", "--view", "--language", "--quiet"};
+const Arguments run_options{"--device", "-d", "--dpi", "--quiet"};
 
 TEST_F(CommandLine, HelpNamesEveryOptionDeviceAndStatus) {
-  expect_words(halfspace({"--help"}), {"render", "info", "--version"});
+  expect_words(halfspace({"--help"}), {"render", "compile", "run", "info", "--version"});
   expect_words(halfspace({"--help"}), exit_statuses);
-  for (const char* command : {"render", "info"}) {
+  for (const char* command : {"render", "compile", "run", "info"}) {
     const Outcome help = halfspace({command, "--help"});
     expect_words(help, exit_statuses);
-    expect_words(help, shared_options);
+    expect_words(help, command == std::string("run") ? run_options : shared_options);
     for (const KnownDevice& device : known_devices) expect_words(help, {std::string(device.traits.name)});
   }
-  expect_words(halfspace({"render", "--help"}), {"--output", "-o", "--shader", "--stats", "--stats-json"});
+  for (const char* command : {"render", "run"}) {
+    expect_words(halfspace({command, "--help"}), {"--output", "-o", "--shader", "--stats", "--stats-json"});
+  }
+  expect_words(halfspace({"compile", "--help"}), {"--output", "-o", ".hsj"});
 }
 
 TEST_F(CommandLine, VersionIsOneLine) { EXPECT_EQ(halfspace({"--version"}).out, "halfspace 0.1.0\n"); }
