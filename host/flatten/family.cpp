@@ -39,6 +39,57 @@ std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   return {second, cross(known[0], second)};
 }
 
+// Of the second-order part: what counts as 0 beside it.
+Real zero_beside(const RealHalfSpace& quadric) {
+  Real most = 0;
+  for (std::size_t i = 0; i < 6; ++i) most = larger(most, magnitude(quadric.c[i]));
+  return power_of_two(-zero_bits) * most;
+}
+
+// Has the second-order part no z^2, but another term in z? Then the z axis points along an asymptote.
+bool z_is_asymptote(const RealHalfSpace& common) {
+  const Real zero = zero_beside(common);
+  return magnitude(common.c[2]) <= zero && larger(magnitude(common.c[4]), magnitude(common.c[5])) > zero;
+}
+
+// Along an asymptote rounded squares would leave a z^2, and with it a second sheet far away. Lagrange's reduction keeps it out: with
+// p and t at right angles in the page, the second-order part is 2 b p (z + k p + l t) + w t^2, and
+//   2 b p g = b / 2 (g + p)^2 - b / 2 (g - p)^2:  two squares of the same weight whose forms have the same z, which is rounded alike.
+std::optional<CommonSquares> squares_along_asymptote(const RealHalfSpace& common, const Kinship& kin) {
+  const auto& c = common.c;
+  const Real b = length({c[5], c[4], 0});
+  const Real ux = c[5] / b;
+  const Real uy = c[4] / b;
+  const auto form = [](Real x, Real y, Real xx, Real xy, Real yy) { return x * x * xx + 2 * x * y * xy + y * y * yy; };
+  const Real pp = form(ux, uy, c[0], c[3], c[1]);
+  const Real tt = form(-uy, ux, c[0], c[3], c[1]);
+  const Real pt = ux * uy * (c[1] - c[0]) + (ux * ux - uy * uy) * c[3];
+  const Real p_offset = c[8] / b;
+  const Real g_offset = (ux * c[6] + uy * c[7] - p_offset * pp / 2) / b;
+  const Real along_t = ux * c[7] - uy * c[6] - p_offset * pt;
+  const Vector4 p{ux, uy, 0, p_offset};
+  const Vector4 g{(pp / 2 * ux - pt * uy) / b, (pp / 2 * uy + pt * ux) / b, 1, g_offset};
+  CommonSquares result;
+  result.constant = c[9] - 2 * b * p_offset * g_offset;
+  for (const int sign : {1, -1}) {
+    Vector4 sum = g;
+    for (std::size_t i = 0; i < 4; ++i) sum[i] += sign * p[i];
+    result.squares.push_back({sign * b / 2, sum});
+  }
+  const Vector3 t{-uy, ux, 0};
+  if (kin.squares == 3) {
+    if (magnitude(tt) <= power_of_two(-zero_bits) * b) return std::nullopt;
+    result.squares.push_back({tt, {t[0], t[1], 0, along_t / tt}});
+    result.constant -= along_t * along_t / tt;
+  } else if (kin.rank == 4) {
+    if (along_t == 0) return std::nullopt;
+    result.rest = scaled(t, along_t);
+  } else {
+    result.free = {t};
+  }
+  return result;
+}
+
 // What the ranks say is there, is there: none where 113 bits cannot tell it from 0.
 std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin) {
   const Spectrum spectrum = spectrum_of(common);
@@ -117,12 +168,16 @@ struct PageForms {
   std::optional<Vector4> rest;
   Real constant = 0;
   WorldOne one;
-  Matrix4 dual{};  // points: in the i-th, form i of (squares, rest, free ones, one) is 1 and the others are 0
+  Real eye = 0, zero = 0;  // the value that the eye has, the coefficient of z^2, and what counts as 0 beside it
+  Matrix4 dual{};          // points: in the i-th, form i of (squares, rest, free ones, one) is 1 and the others are 0
 };
 
-PageForms page_forms(const CommonSquares& common, const Matrix4& to_forms, const WorldOne& one) {
+PageForms page_forms(const CommonSquares& common, const RealHalfSpace& here, const Matrix4& to_forms,
+                     const WorldOne& one) {
   PageForms page;
   page.one = one;
+  page.eye = here.c[2];
+  page.zero = zero_beside(here);
   Matrix4 basis{};
   std::size_t count = 0;
   const auto on_page = [&](const Vector4& form) {
@@ -183,8 +238,12 @@ struct Member {
 std::optional<Member> round_member(const PageForms& page, const CommonIntegers& common, const Kinship& kin,
                                    const LocalBox& box) {
   const bool is_zero = kin.rank == page.squares.size();
-  const Real exact = is_zero ? 0 : common.value * page.one.size * page.one.size * (page.constant + kin.constant);
-  Member member{round_to_integer(exact), {common.form, 0}};
+  const Real unit_value = common.value * page.one.size * page.one.size;
+  const Real exact = is_zero ? 0 : unit_value * (page.constant + kin.constant);
+  // An eye on the surface stays on it: no z^2 is left.
+  const bool meets_eye = !is_zero && page.one.form[2] == 1 &&
+                         magnitude(page.eye + page.one.size * page.one.size * kin.constant) <= page.zero;
+  Member member{meets_eye ? mpz_class(-common.form.c[2]) : round_to_integer(exact), {common.form, 0}};
   const Real multiple = to_real(member.multiple);
   const Vector4 unit = to_real(page.one.form);
   Vector3 moved = common.moved;
@@ -276,12 +335,23 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
   // Where the world's 1 is 1 on the page, the page's frame serves as well as the group's own, and there the squares are
   // orthonormal: a sphere is one.
   const bool affine = is_affine(inverse);
-  const auto common = common_squares(affine ? here : own, members.front().kin);
+  const Kinship& kin = members.front().kin;
+  const auto common =
+      affine && z_is_asymptote(here) ? squares_along_asymptote(here, kin) : common_squares(affine ? here : own, kin);
   if (!common) return std::nullopt;
-  return round_forms(members, page_forms(*common, affine ? identity_matrix : inverse, one), box);
+  return round_forms(members, page_forms(*common, here, affine ? identity_matrix : inverse, one), box);
 }
 
 }  // namespace
+
+std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin, const LocalBox& box) {
+  const auto common = z_is_asymptote(here) ? squares_along_asymptote(here, kin) : common_squares(here, kin);
+  if (!common) return std::nullopt;
+  const FamilyMember alone{here, kin};
+  auto rounded = round_forms({&alone, 1}, page_forms(*common, here, identity_matrix, {{0, 0, 0, 1}, 1}), box);
+  if (!rounded) return std::nullopt;
+  return rounded->front();
+}
 
 std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members, const Matrix4& inverse,
                                                       const Region& region) {
