@@ -5,20 +5,20 @@
 #include <map>
 #include <utility>
 
+#include "host/flatten/asymptote.hpp"
+#include "host/flatten/least_scale.hpp"
+#include "host/flatten/ranked_squares.hpp"
 #include "host/flatten/rational.hpp"
-#include "host/flatten/spectrum.hpp"
 
 namespace halfspace {
 namespace {
 
 constexpr int scale_limit = 100;  // bits; 20 to 40 are common
 
-// The common quadric in a frame in which the world's 1 is 1: sum w (n . u + offset)^2 + 2 rest . u + constant.
+// The common quadric in a frame in which the world's 1 is 1.
 struct CommonSquares {
-  std::vector<SquareTerm> squares;
-  std::optional<Vector3> rest;
+  RankedSquares form;
   std::vector<Vector3> free;  // directions that no form above depends on: unit normals of a basis's remaining forms
-  Real constant = 0;
 };
 
 Vector3 perpendicular_to(const Vector3& v) {
@@ -31,7 +31,7 @@ Vector3 perpendicular_to(const Vector3& v) {
   return unit(cross(v, axis));
 }
 
-// Makes three of them: they are orthogonal, and one at least.
+// Makes three of them; they are one at least, and orthogonal or no more than two.
 std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   if (known.size() == 3) return {};
   if (known.size() == 2) return {cross(known[0], known[1])};
@@ -39,87 +39,14 @@ std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   return {second, cross(known[0], second)};
 }
 
-// Of the second-order part: what counts as 0 beside it.
-Real zero_beside(const RealHalfSpace& quadric) {
-  Real most = 0;
-  for (std::size_t i = 0; i < 6; ++i) most = larger(most, magnitude(quadric.c[i]));
-  return power_of_two(-zero_bits) * most;
-}
-
-// Has the second-order part no z^2, but another term in z? Then the z axis points along an asymptote.
-bool z_is_asymptote(const RealHalfSpace& common) {
-  const Real zero = zero_beside(common);
-  return magnitude(common.c[2]) <= zero && larger(magnitude(common.c[4]), magnitude(common.c[5])) > zero;
-}
-
-// Along an asymptote rounded squares would leave a z^2, and with it a second sheet far away. Lagrange's reduction keeps it out: with
-// p and t at right angles in the page, the second-order part is 2 b p (z + k p + l t) + w t^2, and
-//   2 b p g = b / 2 (g + p)^2 - b / 2 (g - p)^2:  two squares of the same weight whose forms have the same z, which is rounded alike.
-std::optional<CommonSquares> squares_along_asymptote(const RealHalfSpace& common, const Kinship& kin) {
-  const auto& c = common.c;
-  const Real b = length({c[5], c[4], 0});
-  const Real ux = c[5] / b;
-  const Real uy = c[4] / b;
-  const auto form = [](Real x, Real y, Real xx, Real xy, Real yy) { return x * x * xx + 2 * x * y * xy + y * y * yy; };
-  const Real pp = form(ux, uy, c[0], c[3], c[1]);
-  const Real tt = form(-uy, ux, c[0], c[3], c[1]);
-  const Real pt = ux * uy * (c[1] - c[0]) + (ux * ux - uy * uy) * c[3];
-  const Real p_offset = c[8] / b;
-  const Real g_offset = (ux * c[6] + uy * c[7] - p_offset * pp / 2) / b;
-  const Real along_t = ux * c[7] - uy * c[6] - p_offset * pt;
-  const Vector4 p{ux, uy, 0, p_offset};
-  const Vector4 g{(pp / 2 * ux - pt * uy) / b, (pp / 2 * uy + pt * ux) / b, 1, g_offset};
-  CommonSquares result;
-  result.constant = c[9] - 2 * b * p_offset * g_offset;
-  for (const int sign : {1, -1}) {
-    Vector4 sum = g;
-    for (std::size_t i = 0; i < 4; ++i) sum[i] += sign * p[i];
-    result.squares.push_back({sign * b / 2, sum});
-  }
-  const Vector3 t{-uy, ux, 0};
-  if (kin.squares == 3) {
-    if (magnitude(tt) <= power_of_two(-zero_bits) * b) return std::nullopt;
-    result.squares.push_back({tt, {t[0], t[1], 0, along_t / tt}});
-    result.constant -= along_t * along_t / tt;
-  } else if (kin.rank == 4) {
-    if (along_t == 0) return std::nullopt;
-    result.rest = scaled(t, along_t);
-  } else {
-    result.free = {t};
-  }
-  return result;
-}
-
-// What the ranks say is there, is there: none where 113 bits cannot tell it from 0.
-std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin) {
-  const Spectrum spectrum = spectrum_of(common);
-  std::array<std::size_t, 3> order{0, 1, 2};
-  const auto size = [&](std::size_t i) { return magnitude(spectrum.values[i]); };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
-  CommonSquares result;
-  result.constant = common.c[9];
+// `z_is_ray`: the frame is the page's.
+std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin, bool z_is_ray) {
+  auto form = z_is_ray && is_asymptotic(common) ? squares_along_asymptote(common, kin) : ranked_squares_of(common, kin);
+  if (!form) return std::nullopt;
   std::vector<Vector3> axes;
-  Vector3 rest{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3& axis = spectrum.vectors[order[k]];
-    const Real along = dot(axis, {common.c[6], common.c[7], common.c[8]});
-    if (k >= kin.squares) {
-      rest = sum(rest, scaled(axis, along));
-      continue;
-    }
-    if (size(order[k]) <= power_of_two(-zero_bits) * size(order[0])) return std::nullopt;
-    const Real offset = along / spectrum.values[order[k]];
-    result.squares.push_back({spectrum.values[order[k]], {axis[0], axis[1], axis[2], offset}});
-    result.constant -= along * offset;
-    axes.push_back(axis);
-  }
-  if (kin.rank == kin.squares + 2) {
-    if (largest(rest) == 0) return std::nullopt;
-    result.rest = rest;
-    axes.push_back(unit(rest));
-  }
-  result.free = missing_axes(axes);
-  return result;
+  for (const SquareTerm& term : form->squares) axes.push_back({term.form[0], term.form[1], term.form[2]});
+  if (form->rest) axes.push_back(unit(*form->rest));
+  return CommonSquares{std::move(*form), missing_axes(axes)};
 }
 
 // The columns of the inverse, by elimination; not finite where there is none.
@@ -187,10 +114,11 @@ PageForms page_forms(const CommonSquares& common, const RealHalfSpace& here, con
     }
     return moved;
   };
-  for (const SquareTerm& term : common.squares) page.squares.push_back({term.weight, on_page(term.form)});
-  if (common.rest) page.rest = on_page({(*common.rest)[0], (*common.rest)[1], (*common.rest)[2], 0});
+  for (const SquareTerm& term : common.form.squares) page.squares.push_back({term.weight, on_page(term.form)});
+  if (common.form.rest)
+    page.rest = on_page({(*common.form.rest)[0], (*common.form.rest)[1], (*common.form.rest)[2], 0});
   for (const Vector3& axis : common.free) on_page({axis[0], axis[1], axis[2], 0});
-  page.constant = common.constant;
+  page.constant = common.form.constant;
   basis[3] = to_real(page.one.form);
   page.dual = dual_basis(basis);
   return page;
@@ -318,10 +246,8 @@ std::optional<std::vector<Quantised>> take_exactly(std::span<const FamilyMember>
 std::optional<std::vector<Quantised>> round_forms(std::span<const FamilyMember> members, const PageForms& page,
                                                   const LocalBox& box) {
   const Real least = least_square(page, box);
-  for (int bits = 0; bits < scale_limit; ++bits) {
-    if (auto all = round_all(members, page, power_of_two(2 * bits) / least, box)) return all;
-  }
-  return std::nullopt;
+  return with_least_bits(scale_limit,
+                         [&](int bits) { return round_all(members, page, power_of_two(2 * bits) / least, box); });
 }
 
 // In the box's frame.
@@ -335,9 +261,7 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
   // Where the world's 1 is 1 on the page, the page's frame serves as well as the group's own, and there the squares are
   // orthonormal: a sphere is one.
   const bool affine = is_affine(inverse);
-  const Kinship& kin = members.front().kin;
-  const auto common =
-      affine && z_is_asymptote(here) ? squares_along_asymptote(here, kin) : common_squares(affine ? here : own, kin);
+  const auto common = common_squares(affine ? here : own, members.front().kin, affine);
   if (!common) return std::nullopt;
   return round_forms(members, page_forms(*common, here, affine ? identity_matrix : inverse, one), box);
 }
@@ -345,7 +269,7 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
 }  // namespace
 
 std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin, const LocalBox& box) {
-  const auto common = z_is_asymptote(here) ? squares_along_asymptote(here, kin) : common_squares(here, kin);
+  const auto common = common_squares(here, kin, true);
   if (!common) return std::nullopt;
   const FamilyMember alone{here, kin};
   auto rounded = round_forms({&alone, 1}, page_forms(*common, here, identity_matrix, {{0, 0, 0, 1}, 1}), box);

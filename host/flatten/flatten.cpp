@@ -1,16 +1,18 @@
 #include "host/flatten/flatten.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <deque>
 #include <optional>
 #include <utility>
 
+#include "host/flatten/clan.hpp"
 #include "host/flatten/extent.hpp"
-#include "host/flatten/family.hpp"
 #include "host/flatten/lighting.hpp"
 #include "host/flatten/mating.hpp"
 #include "host/flatten/placement.hpp"
 #include "host/flatten/quantise.hpp"
+#include "host/flatten/ranked_squares.hpp"
 #include "host/flatten/view.hpp"
 #include "host/flatten/window.hpp"
 
@@ -24,16 +26,33 @@ const Real depth_limit = power_of_two(20);
 // A body off the page is rounded where it is, up to here and up to depth_limit across; one that is further off or larger
 // is rounded for the page, where it is not.
 const Real far_limit = power_of_two(25);
-constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
+// What mates within its bodies' boxes may be off by as much in those that share more with it: a clan, or a pair of planes.
+const Real mating_limit = power_of_two(-10);
+
+// Which of the surfaces a half-space has.
+struct SurfaceUse {
+  std::size_t surface = 0;
+  bool opposite = false;  // it is written the other way round
+  Real apart = 0;         // dots: from the first that has it
+};
 
 // What a placed half-space is on the page, and what becomes of it.
 struct PageHalfSpace {
   RealHalfSpace shape;           // dot frame
   std::optional<Region> region;  // of the bodies that use it
-  std::size_t leader = no_leader;
-  bool opposite = false;
-  bool settled = false;  // rounded with its family
+  std::optional<SurfaceUse> use;
+  std::optional<std::array<SurfaceUse, 2>> planes;  // of a quadric that is the product of two
   Quantised quantised;
+};
+
+// What one or more half-spaces have in common.
+struct Surface {
+  Region region;        // of all that have it
+  RealHalfSpace shape;  // as the first of them has it, in the frame of a place
+  std::size_t place = 0;
+  std::size_t first = 0;  // that half-space
+  bool is_moved = false;  // the shape is what a clan makes of it
+  std::optional<Quantised> quantised;
 };
 
 class Flattener {
@@ -245,69 +264,100 @@ class Flattener {
     return box;
   }
 
+  static bool has_surface(const RealHalfSpace& shape, const Kinship& kin) {
+    if (shape.kind == HalfSpaceKind::quadric) return kin.family != no_family;
+    return largest({shape.c[0], shape.c[1], shape.c[2]}) != 0;
+  }
+
   void mate() {
-    PlaneMating mating({Real(options_.width) / 2, Real(options_.height) / 2, 0});
+    const Vector3 middle{Real(options_.width) / 2, Real(options_.height) / 2, vrp_depth()};
+    SurfaceMating mating(middle, std::max(options_.width, options_.height));
     std::vector<std::vector<std::uint32_t>> users(half_spaces_.size());
     for (std::uint32_t body = 0; body < placed_.bodies.size(); ++body) {
       for (const HalfSpaceUse& use : placed_.bodies[body].uses) users[use.half_space].push_back(body);
     }
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
-      PageHalfSpace& h = half_spaces_[i];
-      const bool has_normal =
-          h.shape.kind == HalfSpaceKind::plane && largest({h.shape.c[0], h.shape.c[1], h.shape.c[2]}) != 0;
-      if (!has_normal || !h.region) continue;
-      const PlaneMating::Match match = mating.add(h.shape, *h.region, users[i]);
-      h.leader = match.leader;
-      h.opposite = match.opposite;
+      if (!half_spaces_[i].region) continue;
+      const PlacedHalfSpace& own = placed_.half_spaces[i];
+      const auto join = [&](const PlacedHalfSpace& source, const RealHalfSpace& on_page) {
+        return join_surface(source, on_page, i, users[i], mating);
+      };
+      half_spaces_[i].use = join(own, half_spaces_[i].shape);
+      half_spaces_[i].planes = join_plane_pair(own, join);
     }
-    leaders_ = mating.leaders();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].region = mating.region_of(i);
   }
 
-  // Quadrics of one place that differ by a constant are rounded together, for the regions of all.
-  void quantise_families() {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> families;
-    for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
-      const PlacedHalfSpace& h = placed_.half_spaces[i];
-      if (h.kin.family != no_family && half_spaces_[i].region) families[{h.place, h.kin.family}].push_back(i);
-    }
-    for (const auto& [key, members] : families) {
-      if (members.size() > 1) quantise_family_of(members);
-    }
+  // None where it has no surface.
+  std::optional<SurfaceUse> join_surface(const PlacedHalfSpace& source, const RealHalfSpace& on_page,
+                                         std::size_t half_space, const std::vector<std::uint32_t>& users,
+                                         SurfaceMating& mating) {
+    if (!has_surface(on_page, source.kin)) return std::nullopt;
+    const auto match =
+        mating.add({on_page, &source, &placed_.places[source.place]}, *half_spaces_[half_space].region, users);
+    if (match.leader == surfaces_.size()) surfaces_.push_back({{}, source.shape, source.place, half_space, false, {}});
+    return SurfaceUse{match.leader, match.opposite, match.apart};
   }
 
-  // Members that cannot be held together are left to themselves.
-  void quantise_family_of(const std::vector<std::size_t>& members) {
-    std::vector<FamilyMember> family;
-    Region region = *half_spaces_[members.front()].region;
-    for (const std::size_t i : members) {
-      family.push_back({placed_.half_spaces[i].shape, placed_.half_spaces[i].kin});
-      region = around(region, *half_spaces_[i].region);
+  // A quadric that is two planes joins with each of them too, so that it touches what they do.
+  template <typename Join>
+  std::optional<std::array<SurfaceUse, 2>> join_plane_pair(const PlacedHalfSpace& source, const Join& join) {
+    if (source.shape.kind != HalfSpaceKind::quadric) return std::nullopt;
+    const auto pair = plane_pair_of(source.shape, source.kin);
+    if (!pair) return std::nullopt;
+    std::array<std::optional<SurfaceUse>, 2> uses;
+    for (std::size_t k = 0; k < 2; ++k) {
+      plane_factors_.push_back({(*pair)[k], source.place, source.transparent, source.name, source.position});
+      uses[k] = join(plane_factors_.back(), transformed((*pair)[k], placed_.places[source.place]));
     }
-    const Matrix4& place = placed_.places[placed_.half_spaces[members.front()].place];
-    auto all = halfspace::quantise_family(family, place, region);
+    if (!uses[0] || !uses[1]) return std::nullopt;
+    const bool are_one = uses[0]->surface == uses[1]->surface;
+    if (are_one != (source.kin.rank == 1)) return std::nullopt;
+    return std::array{*uses[0], *uses[1]};
+  }
+
+  void quantise_clans() {
+    std::vector<std::optional<std::size_t>> quadrics;
+    for (const PageHalfSpace& h : half_spaces_) {
+      const bool is_quadric = h.shape.kind == HalfSpaceKind::quadric;
+      quadrics.push_back(is_quadric && h.use ? std::optional(h.use->surface) : std::nullopt);
+    }
+    for (const Clan& clan : clans_of(placed_, quadrics, surfaces_.size())) quantise_clan(clan);
+  }
+
+  // For the regions of all. Members that cannot be held together are left to themselves.
+  void quantise_clan(const Clan& clan) {
+    Region region = surfaces_[clan.surfaces.front()].region;
+    for (std::size_t k = 0; k < clan.surfaces.size(); ++k) {
+      const Surface& own = surfaces_[clan.surfaces[k]];
+      region = around(region, own.region);
+      if (own.place == clan.place) continue;
+      const auto off = quadric_distance({clan.members[k].shape, placed_.places[clan.place]},
+                                        {own.shape, placed_.places[own.place]}, own.region);
+      if (!off || *off > mating_limit) return;
+    }
+    auto all = quantise_family(clan.members, placed_.places[clan.place], region);
     if (!all) return;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      half_spaces_[members[k]].quantised = std::move((*all)[k]);
-      half_spaces_[members[k]].settled = true;
+    for (std::size_t k = 0; k < clan.surfaces.size(); ++k) {
+      Surface& surface = surfaces_[clan.surfaces[k]];
+      surface.is_moved = surface.place != clan.place || surface.shape.c != clan.members[k].shape.c;
+      surface.shape = clan.members[k].shape;
+      surface.place = clan.place;
+      surface.quantised = std::move((*all)[k]);
     }
   }
 
-  // A leader's plane is rounded for the regions of all that joined it.
   bool quantise_all() {
-    quantise_families();
-    std::vector<std::optional<Quantised>> planes(leaders_.size());
+    quantise_clans();
+    for (const HalfSpaceKind kind : {HalfSpaceKind::plane, HalfSpaceKind::quadric}) {  // of which pairs are products
+      for (Surface& surface : surfaces_) {
+        if (surface.shape.kind == kind && !surface.quantised) surface.quantised = quantise_surface(surface);
+      }
+    }
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       PageHalfSpace& h = half_spaces_[i];
-      if (!h.region || h.settled) continue;
-      std::optional<Quantised> quantised;
-      if (h.leader == no_leader) {
-        quantised = quantise_one(i, *h.region);
-      } else {
-        auto& plane = planes[h.leader];
-        if (!plane) plane = quantise_one(i, leaders_[h.leader].all);
-        quantised = plane;
-        if (quantised) quantised->bound = larger(quantised->bound, plane_distance(plane->form, h.shape, *h.region));
-      }
+      if (!h.region) continue;
+      auto quantised = quantised_for(i);
       if (!quantised) {
         const PlacedHalfSpace& source = placed_.half_spaces[i];
         fail(Severity::limit, source.position,
@@ -321,9 +371,53 @@ class Flattener {
     return !is_hopeless();
   }
 
-  [[nodiscard]] std::optional<Quantised> quantise_one(std::size_t half_space, const Region& region) const {
-    const PlacedHalfSpace& h = placed_.half_spaces[half_space];
-    return quantise(h.shape, placed_.places[h.place], region);
+  [[nodiscard]] std::optional<Quantised> quantise_surface(const Surface& surface) const {
+    if (surface.shape.kind == HalfSpaceKind::quadric && half_spaces_[surface.first].planes) {
+      if (auto product = product_of_planes(surface)) return product;
+    }
+    return quantise(surface.shape, placed_.places[surface.place], surface.region);
+  }
+
+  [[nodiscard]] std::optional<Quantised> product_of_planes(const Surface& surface) const {
+    const auto& uses = *half_spaces_[surface.first].planes;
+    const auto pair = plane_pair_of(surface.shape, placed_.half_spaces[surface.first].kin);
+    std::array<IntegerLinear, 2> forms;
+    Quantised result{{HalfSpaceKind::quadric, {}}, 0};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto& plane = surfaces_[uses[k].surface].quantised;
+      if (!plane) return std::nullopt;
+      std::copy_n(plane->form.c.begin(), 4, forms[k].begin());
+      const RealHalfSpace truth = transformed((*pair)[k], placed_.places[surface.place]);
+      const Real off = plane_distance(plane->form, truth, surface.region);
+      if (off > plane->bound + mating_limit) return std::nullopt;
+      result.bound = larger(result.bound, larger(plane->bound, off));
+    }
+    add_twice_product(result.form, forms[0], forms[1]);
+    result.form = primitive(result.form);
+    if (uses[0].opposite != uses[1].opposite) result.form = negated(result.form);
+    return result;
+  }
+
+  // The integers of its surface, with a bound that is measured against the half-space's own truth.
+  [[nodiscard]] std::optional<Quantised> quantised_for(std::size_t half_space) const {
+    const PageHalfSpace& h = half_spaces_[half_space];
+    const PlacedHalfSpace& source = placed_.half_spaces[half_space];
+    const Matrix4& place = placed_.places[source.place];
+    if (!h.use) return quantise(source.shape, place, *h.region);
+    const Surface& surface = surfaces_[h.use->surface];
+    std::optional<Quantised> result = surface.quantised;
+    if (!result) return result;
+    if (h.shape.kind == HalfSpaceKind::plane) {
+      result->bound = larger(result->bound, plane_distance(result->form, h.shape, *h.region));
+    } else if (!surface.is_moved) {
+      result->bound += h.use->apart;
+    } else {
+      const auto off =
+          quadric_distance({surface.shape, placed_.places[surface.place]}, {source.shape, place}, *h.region);
+      if (!off) return std::nullopt;
+      result->bound += *off;
+    }
+    return result;
   }
 
   void build() {
@@ -347,7 +441,7 @@ class Flattener {
       const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
       const IntegerForm local = seen_from(h.quantised.form, origin);
       // A leader written the other way round holds where its complement did.
-      const bool complement = use.complement != h.opposite;
+      const bool complement = use.complement != (h.use && h.use->opposite);
       body.half_spaces.push_back({local.kind, local.c, complement, statement.transparent,
                                   double_above(h.quantised.bound), statement.name, statement.position});
       sides.push_back({normalised(to_real(local)), complement});
@@ -393,7 +487,8 @@ class Flattener {
   View view_;
   PageMap page_;
   std::vector<PageHalfSpace> half_spaces_;
-  std::vector<PlaneMating::Leader> leaders_;
+  std::deque<PlacedHalfSpace> plane_factors_;  // what plane pairs mate as
+  std::vector<Surface> surfaces_;
   std::vector<Extent> extents_;  // of the bodies in the view frame, if the window needed them
   std::vector<Box> boxes_;       // of the bodies, in dots
 };

@@ -5,17 +5,24 @@
 namespace halfspace {
 namespace {
 
-constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr int agreement_bits = 10;
 constexpr int sameness_bits = 40;
 
-// Cells of the grid per unit: 2^6 of normals, 1 of dots; and how far around a plane is looked.
-const Vector4 cells_per_unit{64, 64, 64, 1};
-const Vector4 look_around{power_of_two(-10), power_of_two(-10), power_of_two(-10), power_of_two(-3)};
+// Cells of the grid per unit; and how far around a surface is looked, in cells.
+constexpr Real cells_per_normal = 64;
+const Real cells_per_coefficient = power_of_two(36);
+const Real look_around = power_of_two(-4);
+const Real look_along = power_of_two(-3);  // for the distance of a plane
 
 std::int64_t cell(Real v) {
   const Real bound = power_of_two(62);
-  return static_cast<std::int64_t>(nearest_whole(smaller(larger(v, -bound), bound)));
+  const Real upper = smaller(larger(v, -bound), bound) + Real(1) / 2;
+  const auto whole = static_cast<std::int64_t>(upper);
+  return Real(whole) > upper ? whole - 1 : whole;
+}
+
+Real reach_of(const RealHalfSpace& shape, std::size_t coordinate) {
+  return shape.kind == HalfSpaceKind::plane && coordinate == 3 ? look_along : look_around;
 }
 
 RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
@@ -27,19 +34,20 @@ RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
   return result;
 }
 
-RealHalfSpace reversed(RealHalfSpace plane) {
-  for (Real& v : plane.c) v = -v;
-  return plane;
+RealHalfSpace reversed(RealHalfSpace shape) {
+  for (Real& v : shape.c) v = -v;
+  return shape;
 }
 
-bool agree(const RealHalfSpace& a, const RealHalfSpace& b, const Box& box) {
+// The most that planes with unit normals are apart in a box.
+Real planes_apart(const RealHalfSpace& a, const RealHalfSpace& b, const Box& box) {
   Real at_centre = a.c[3] - b.c[3];
   Real spread = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     at_centre += (a.c[i] - b.c[i]) * (box.low[i] + box.high[i]) / 2;
     spread += magnitude(a.c[i] - b.c[i]) * (box.high[i] - box.low[i]) / 2;
   }
-  return magnitude(at_centre) + spread <= power_of_two(-agreement_bits);
+  return magnitude(at_centre) + spread;
 }
 
 // The same coefficients but for their last bits.
@@ -49,9 +57,24 @@ bool are_same(const RealHalfSpace& a, const RealHalfSpace& b) {
   return most <= power_of_two(-sameness_bits) * larger(1, magnitude(a.c[3]));
 }
 
+PlacedShape placed(const MatingSurface& surface) { return {surface.source->shape, *surface.inverse}; }
+
+// Around `origin`, in units of `size`.
+RealHalfSpace quadric_seen_from(const RealHalfSpace& quadric, const Vector3& origin, Real size) {
+  RealHalfSpace result = quadric;
+  auto& c = result.c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real former = c[6 + i];
+    for (std::size_t j = 0; j < 3; ++j) c[6 + i] += quadric.c[quadric_index[i][j]] * origin[j];
+    c[9] += (former + c[6 + i]) * origin[i];
+  }
+  for (std::size_t i = 0; i < 9; ++i) c[i] *= i < 6 ? size * size : size;
+  return normalised(result);
+}
+
 }  // namespace
 
-std::size_t PlaneMating::KeyHash::operator()(const Key& key) const {
+std::size_t SurfaceMating::KeyHash::operator()(const Key& key) const {
   std::uint64_t hash = 0;
   for (const std::int64_t part : key) {
     hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15U;
@@ -60,64 +83,110 @@ std::size_t PlaneMating::KeyHash::operator()(const Key& key) const {
   return hash;
 }
 
-Vector4 PlaneMating::position_of(const RealHalfSpace& plane) const {
-  const Vector3 normal{plane.c[0], plane.c[1], plane.c[2]};
-  return {plane.c[0], plane.c[1], plane.c[2], plane.c[3] + dot(normal, middle_)};
+// Planes and quadrics share the cells: what they are compared by tells them apart.
+SurfaceMating::Position SurfaceMating::position_of(const RealHalfSpace& shape) const {
+  Position position{};
+  if (shape.kind == HalfSpaceKind::plane) {
+    for (std::size_t i = 0; i < 3; ++i) position[i] = shape.c[i] * cells_per_normal;
+    position[3] = shape.c[3] + dot({shape.c[0], shape.c[1], shape.c[2]}, middle_);
+    return position;
+  }
+  const RealHalfSpace seen = quadric_seen_from(shape, middle_, page_size_);
+  for (std::size_t i = 0; i < 10; ++i) position[i] = seen.c[i] * cells_per_coefficient;
+  return position;
 }
 
-// Looks in the cells of the corners around the plane's position: most often all one cell.
-std::size_t PlaneMating::find(const RealHalfSpace& plane, const Box& box,
-                              const std::vector<std::uint32_t>& bodies) const {
-  const Vector4 position = position_of(plane);
-  std::array<Key, 2> ends;
-  for (std::size_t i = 0; i < 4; ++i) {
-    ends[0][i] = cell((position[i] - look_around[i]) * cells_per_unit[i]);
-    ends[1][i] = cell((position[i] + look_around[i]) * cells_per_unit[i]);
+std::optional<Real> SurfaceMating::plane_apart(const Candidate& candidate, const Leader& leader) {
+  const RealHalfSpace& plane = candidate.surface.on_page;
+  const RealHalfSpace& other = leader.surface.on_page;
+  const bool one_body = std::any_of(candidate.bodies.begin(), candidate.bodies.end(),
+                                    [&leader](std::uint32_t body) { return leader.bodies.count(body) != 0; });
+  if (one_body && !are_same(plane, other)) return std::nullopt;
+  return larger(planes_apart(plane, other, candidate.region.box), planes_apart(plane, other, leader.first.box));
+}
+
+std::optional<Real> SurfaceMating::quadric_apart(const Candidate& candidate, const Leader& leader) {
+  const PlacedHalfSpace& source = *candidate.surface.source;
+  const auto known = leader.family_member.find(source.place);
+  const bool one_group = known != leader.family_member.end();
+  if (one_group && known->second != std::pair(source.kin.family, source.kin.constant)) return std::nullopt;
+  return quadric_distance(placed(leader.surface), placed(candidate.surface), candidate.region);
+}
+
+std::optional<Real> SurfaceMating::apart(const Candidate& candidate, const Leader& leader) {
+  const RealHalfSpace& shape = candidate.surface.on_page;
+  if (leader.surface.on_page.kind != shape.kind) return std::nullopt;
+  for (std::size_t i = 0; i < 10; ++i) {
+    if (magnitude(candidate.position[i] - leader.position[i]) > reach_of(shape, i)) return std::nullopt;
   }
-  std::size_t best = none;
-  for (unsigned corner = 0; corner < 16; ++corner) {
-    Key key{};
-    bool is_repeat = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const bool is_upper = (corner >> i & 1) != 0;
-      key[i] = ends[is_upper ? 1 : 0][i];
-      is_repeat = is_repeat || (is_upper && ends[0][i] == ends[1][i]);
+  return shape.kind == HalfSpaceKind::plane ? plane_apart(candidate, leader) : quadric_apart(candidate, leader);
+}
+
+// Looks in the cells of the corners around the position: most often all one cell.
+std::optional<SurfaceMating::Match> SurfaceMating::find(const Candidate& candidate) const {
+  std::vector<Key> corners(1);
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Real around = reach_of(candidate.surface.on_page, i);
+    const std::int64_t low = cell(candidate.position[i] - around);
+    const std::int64_t high = cell(candidate.position[i] + around);
+    const std::size_t count = corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      corners[k][i] = low;
+      if (high == low) continue;
+      corners.push_back(corners[k]);
+      corners.back()[i] = high;
     }
-    const auto found = is_repeat ? cells_.end() : cells_.find(key);
+  }
+  std::optional<Match> best;
+  for (const Key& key : corners) {
+    const auto found = cells_.find(key);
     if (found == cells_.end()) continue;
-    for (const std::size_t candidate : found->second) {
-      const Leader& leader = leaders_[candidate];
-      if (candidate >= best) continue;
-      const bool one_body = std::any_of(bodies.begin(), bodies.end(),
-                                        [&leader](std::uint32_t body) { return leader.bodies.count(body) != 0; });
-      const bool joins = one_body ? are_same(plane, leader.plane)
-                                  : agree(plane, leader.plane, box) && agree(plane, leader.plane, leader.first);
-      if (joins) {
-        best = candidate;
-      }
+    for (const std::size_t leader : found->second) {
+      if (best && leader >= best->leader) continue;
+      const auto distance = apart(candidate, leaders_[leader]);
+      if (distance && *distance <= power_of_two(-agreement_bits)) best = Match{leader, false, *distance};
     }
   }
   return best;
 }
 
-PlaneMating::Match PlaneMating::add(const RealHalfSpace& plane, const Region& region,
-                                    const std::vector<std::uint32_t>& bodies) {
-  const RealHalfSpace own = with_unit_normal(plane);
-  const std::size_t same = find(own, region.box, bodies);
-  const std::size_t opposite = find(reversed(own), region.box, bodies);
-  if (same == none && opposite == none) {
-    Key key{};
-    const Vector4 position = position_of(own);
-    for (std::size_t i = 0; i < 4; ++i) key[i] = cell(position[i] * cells_per_unit[i]);
-    cells_[key].push_back(leaders_.size());
-    leaders_.push_back({own, region.box, region, {bodies.begin(), bodies.end()}});
-    return {leaders_.size() - 1, false};
+void SurfaceMating::enlist(const Candidate& candidate, Leader& leader) {
+  leader.all = around(leader.all, candidate.region);
+  if (candidate.surface.on_page.kind == HalfSpaceKind::plane) {
+    leader.bodies.insert(candidate.bodies.begin(), candidate.bodies.end());
+  } else {
+    const PlacedHalfSpace& source = *candidate.surface.source;
+    leader.family_member.emplace(source.place, std::pair(source.kin.family, source.kin.constant));
   }
-  const Match match{std::min(same, opposite), opposite < same};
-  Leader& leader = leaders_[match.leader];
-  leader.all = around(leader.all, region);
-  leader.bodies.insert(bodies.begin(), bodies.end());
-  return match;
+}
+
+SurfaceMating::Match SurfaceMating::add(const MatingSurface& surface, const Region& region,
+                                        const std::vector<std::uint32_t>& bodies) {
+  const bool is_plane = surface.on_page.kind == HalfSpaceKind::plane;
+  MatingSurface own = surface;
+  if (is_plane) own.on_page = with_unit_normal(own.on_page);
+  MatingSurface back = own;
+  back.on_page = reversed(own.on_page);
+  const Candidate as_written{own, position_of(own.on_page), region, bodies};
+  Position opposed = as_written.position;
+  for (Real& v : opposed) v = -v;
+  const Candidate reversed_one{back, opposed, region, bodies};
+
+  const auto same = find(as_written);
+  const auto opposite = find(reversed_one);
+  if (same || opposite) {
+    const bool is_opposite = opposite && (!same || opposite->leader < same->leader);
+    Match match = is_opposite ? *opposite : *same;
+    match.opposite = is_opposite;
+    enlist(as_written, leaders_[match.leader]);
+    return match;
+  }
+  Key key{};
+  for (std::size_t i = 0; i < 10; ++i) key[i] = cell(as_written.position[i]);
+  cells_[key].push_back(leaders_.size());
+  leaders_.push_back({own, as_written.position, region, region, {}, {}});
+  enlist(as_written, leaders_.back());
+  return {leaders_.size() - 1, false, 0};
 }
 
 }  // namespace halfspace

@@ -1,53 +1,85 @@
-// mating.hpp - planes that agree within 2^-10 dot over their bodies become one plane, so that no crack opens.
-// Rule     A plane joins the first one before it, written either way round, from which it is nowhere further than
-//          2^-10 dot in the boxes of both; else it stands for itself and for those to come. Planes of one body join only if
-//          they are the same but for the last bits: in a body as thin as a line, two that cross there would agree too.
-// Cost     A hash grid of unit normals and distances from the page's middle: linear in the planes. So planes are found
-//          whose normals differ by less than 2^-10 and whose distances there by less than 1/8 dot, which leaves out
-//          only bodies under a dot across, or some hundred times further from the middle than they are large.
+// mating.hpp - half-spaces that have the same surface, so that what touches in the scene touches in the integers.
+// Rule     A surface joins the first one before it, written either way round and with any factor, from which it is nowhere
+//          further than 2^-10 dot in its bodies' boxes; else it stands for itself and for those to come. For planes the
+//          boxes of the first count too.
+//          Planes of one body join only if they are the same but for the last bits: in a body as thin as a line, two that cross
+//          there would agree too. Quadrics of one group join only if their decimals are in proportion: shells stay two.
+// Cost     A hash grid, linear in the surfaces. So those are found that are neighbours there: planes by unit normal, within
+//          2^-10, and distance from the page's middle, within 1/8 dot, which leaves out only bodies under a dot across, or some
+//          hundred times further from the middle than they are large; quadrics by their coefficients where the page is
+//          of size 1, within 2^-40 of the largest: what the same numbers are that were written with a dozen digits.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
-#include "host/flatten/local_box.hpp"
+#include "host/flatten/placement.hpp"
+#include "host/flatten/quantise.hpp"
 
 namespace halfspace {
 
-class PlaneMating {
+// What joins: a half-space with a surface, in the dot frame and as its statement says.
+struct MatingSurface {
+  RealHalfSpace on_page;
+  const PlacedHalfSpace* source = nullptr;  // outlives the mating, as does the matrix of its place
+  const Matrix4* inverse = nullptr;
+};
+
+class SurfaceMating {
  public:
   struct Match {
     std::size_t leader = 0;  // numbered from 0 in the order of appearance
     bool opposite = false;   // the leader is written the other way round
-  };
-  struct Leader {
-    RealHalfSpace plane;                       // unit normal
-    Box first;                                 // of its own body
-    Region all;                                // of all that joined
-    std::unordered_set<std::uint32_t> bodies;  // of all that joined
+    Real apart = 0;          // dots: how far it is from the leader in its own region
   };
 
-  explicit PlaneMating(const Vector3& middle) : middle_(middle) {}
+  // Of a page of this size, whose middle is at vrp's depth.
+  SurfaceMating(const Vector3& middle, Real page_size) : middle_(middle), page_size_(page_size) {}
 
-  // The plane has a normal.
   // `bodies` use it.
-  Match add(const RealHalfSpace& plane, const Region& region, const std::vector<std::uint32_t>& bodies);
+  Match add(const MatingSurface& surface, const Region& region, const std::vector<std::uint32_t>& bodies);
 
-  [[nodiscard]] const std::vector<Leader>& leaders() const { return leaders_; }
+  // Of all that joined the leader.
+  [[nodiscard]] const Region& region_of(std::size_t leader) const { return leaders_[leader].all; }
+  [[nodiscard]] std::size_t count() const { return leaders_.size(); }
 
  private:
-  using Key = std::array<std::int64_t, 4>;
+  using Key = std::array<std::int64_t, 10>;
+  using Position = std::array<Real, 10>;  // in cells of the grid
   struct KeyHash {
     std::size_t operator()(const Key& key) const;
   };
-  [[nodiscard]] Vector4 position_of(const RealHalfSpace& plane) const;
-  [[nodiscard]] std::size_t find(const RealHalfSpace& plane, const Box& box,
-                                 const std::vector<std::uint32_t>& bodies) const;
+  struct Candidate {
+    const MatingSurface& surface;
+    Position position;
+    const Region& region;
+    const std::vector<std::uint32_t>& bodies;
+  };
+  struct Leader {
+    MatingSurface surface;
+    Position position{};
+    Region first;  // of its own bodies
+    Region all;
+    std::unordered_set<std::uint32_t> bodies;                           // of all planes that joined
+    std::map<std::size_t, std::pair<std::size_t, Real>> family_member;  // of each group whose quadrics joined
+  };
+
+  [[nodiscard]] Position position_of(const RealHalfSpace& shape) const;
+  [[nodiscard]] std::optional<Match> find(const Candidate& candidate) const;
+  // None where the two have to stay two.
+  [[nodiscard]] static std::optional<Real> apart(const Candidate& candidate, const Leader& leader);
+  [[nodiscard]] static std::optional<Real> plane_apart(const Candidate& candidate, const Leader& leader);
+  [[nodiscard]] static std::optional<Real> quadric_apart(const Candidate& candidate, const Leader& leader);
+  static void enlist(const Candidate& candidate, Leader& leader);
 
   Vector3 middle_;
+  Real page_size_;
   std::vector<Leader> leaders_;
   std::unordered_map<Key, std::vector<std::size_t>, KeyHash> cells_;
 };

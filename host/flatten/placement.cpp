@@ -93,6 +93,12 @@ Real largest_coefficient(const QuadricStatement& s) {
 // Keeps the coefficients of a group's statements, whose decimals are read once for all copies.
 using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
 
+// A quadric without squares is a plane.
+RealHalfSpace plane_of(const RealHalfSpace& quadric) {
+  const auto& c = quadric.c;
+  return normalised({HalfSpaceKind::plane, {2 * c[6], 2 * c[7], 2 * c[8], c[9]}});
+}
+
 GroupShapes shapes_of(const Group& group) {
   GroupShapes shapes;
   for (const PlaneStatement& s : group.planes) {
@@ -102,6 +108,10 @@ GroupShapes shapes_of(const Group& group) {
   for (std::size_t i = 0; i < kinships.size(); ++i) {
     const QuadricStatement& s = group.quadrics[i];
     const RealHalfSpace shape = real_half_space(HalfSpaceKind::quadric, s.coefficients);
+    if (kinships[i].squares == 0) {
+      shapes[s.id] = {plane_of(shape), 0, s.transparent, s.id, s.position};
+      continue;
+    }
     shapes[s.id] = {shape, 0, s.transparent, s.id, s.position, kinships[i]};
     shapes[s.id].kin.ratio = kinships[i].ratio / largest_coefficient(s);
   }

@@ -1,9 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
-#include <functional>
-#include <vector>
-
 #include "host/flatten/family.hpp"
+#include "host/flatten/least_scale.hpp"
 #include "host/flatten/rational.hpp"
 #include "host/flatten/spectrum.hpp"
 
@@ -43,11 +41,9 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
 }
 
 // The least power of two that `attempt` makes something of.
-std::optional<Quantised> least_scale(const std::function<std::optional<Quantised>(Real)>& attempt) {
-  for (int bits = 0; bits < scale_limit; ++bits) {
-    if (auto result = attempt(power_of_two(bits))) return result;
-  }
-  return std::nullopt;
+template <class Attempt>
+std::optional<Quantised> least_scale(Attempt attempt) {
+  return with_least_bits(scale_limit, [&](int bits) { return attempt(power_of_two(bits)); });
 }
 
 std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
@@ -189,6 +185,54 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
   result->form = primitive(seen_from(result->form, back));
   return result;
+}
+
+namespace {
+
+// a - t b for the t that takes b's weightiest coefficient in the box to a's.
+std::array<Real, 10> least_difference(const RealHalfSpace& a, const RealHalfSpace& b, const LocalBox& box) {
+  std::size_t pivot = 0;
+  Real most = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const Real weight = magnitude(b.c[i]) * (i < 9 ? box.radius : 1) * (i < 6 ? box.radius : 1);
+    if (weight > most) pivot = i;
+    most = larger(most, weight);
+  }
+  const Real t = b.c[pivot] / a.c[pivot];
+  std::array<Real, 10> apart{};
+  for (std::size_t i = 0; i < 10; ++i) apart[i] = i == pivot ? 0 : t * a.c[i] - b.c[i];
+  return apart;
+}
+
+// How far a point with this value, at most, lies from the surface: along its gradient, and where that may vanish along the
+// square of the least weight.
+Real distance_of_value(Real value, const ReducedQuadric& reduced) {
+  if (reduced.linear) return value / length({reduced.rest[0], reduced.rest[1], reduced.rest[2]});
+  std::optional<Real> least_weight;
+  for (std::size_t i = 0; i < reduced.count; ++i) {
+    const Real weight = magnitude(reduced.squares[i].weight);
+    least_weight = least_weight ? smaller(*least_weight, weight) : weight;
+  }
+  if (!least_weight) return 0;  // everything or nothing
+  const Real root = square_root(value / *least_weight);
+  const Real gradient = least_gradient(reduced);
+  if (gradient == 0 || value > magnitude(reduced.constant()) / 4) return root;
+  return smaller(root, value / (2 * gradient));
+}
+
+}  // namespace
+
+std::optional<Real> quadric_distance(const PlacedShape& a, const PlacedShape& truth, const Region& region) {
+  const LocalBox local = local_box(region);
+  const auto from_a = inverse_from(local, a.inverse);
+  const auto from_truth = inverse_from(local, truth.inverse);
+  if (!from_a || !from_truth) return std::nullopt;
+  const RealHalfSpace here = normalised(transformed(a.shape, *from_a));
+  const RealHalfSpace true_here = normalised(transformed(truth.shape, *from_truth));
+  const Real value = quadric_reach(least_difference(here, true_here, local), local);
+  if (!finite(value)) return std::nullopt;
+  if (value == 0) return 0;
+  return distance_of_value(value, reduce(true_here, local.radius));
 }
 
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.

@@ -24,6 +24,17 @@ struct Quantised {
 [[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse,
                                                 const Region& region);
 
+// A half-space of a group, and the inverse that takes the dot frame to the group's.
+struct PlacedShape {
+  const RealHalfSpace& shape;
+  const Matrix4& inverse;
+};
+
+// How far two quadrics lie apart within a region where they are nearly the same, whichever factor either is written with; none
+// where the region lies too far away for its size.
+[[nodiscard]] std::optional<Real> quadric_distance(const PlacedShape& a, const PlacedShape& truth,
+                                                   const Region& region);
+
 // How far the integer plane lies from the true one within a region, whichever way either is written.
 [[nodiscard]] Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region);
 

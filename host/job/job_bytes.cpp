@@ -19,12 +19,11 @@ void JobBytes::wide(const mpz_class& value) {
   // n bytes hold -2^(8n-1) .. 2^(8n-1) - 1; a negative value is written as value + 2^(8n).
   const int length = value == 0 ? 0 : bits_of(value < 0 ? mpz_class(-value - 1) : value) / 8 + 1;
   byte(static_cast<std::uint8_t>(length));
-  mpz_class rest = value;
-  if (rest < 0) rest += mpz_class(1) << (8 * length);
-  for (int i = 0; i < length; ++i) {
-    byte(static_cast<std::uint8_t>(mpz_class(rest & 0xff).get_ui()));
-    rest >>= 8;
-  }
+  mpz_class bits = value;
+  if (bits < 0) bits += mpz_class(1) << (8 * length);
+  const std::size_t start = bytes_.size();
+  bytes_.resize(start + static_cast<std::size_t>(length));
+  if (bits != 0) mpz_export(bytes_.data() + start, nullptr, -1, 1, 0, 0, bits.get_mpz_t());
 }
 
 }  // namespace halfspace

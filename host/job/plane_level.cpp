@@ -19,14 +19,19 @@ int plane_level(const IntegerScene& scene, const IntegerBody& body, const Intege
   }
   if (plane.complement) along = -along;
   const long most = scene.levels - 1;
-  for (long k = most; k > 0; --k) {
+  const mpz_class reach = most * static_cast<long>(lighting.parallel) * along;
+  const auto reaches = [&](long k) {
     // (levels - 1) (ambient + parallel cos) >= k unit  <=>  t |l| |N| <= (levels - 1) parallel (l . N)
     const mpz_class t = k * static_cast<long>(lighting.unit) - most * static_cast<long>(lighting.ambient);
-    if (t <= 0) return static_cast<int>(k);
-    const mpz_class reach = most * static_cast<long>(lighting.parallel) * along;
-    if (along > 0 && reach * reach >= t * t * l2 * n2) return static_cast<int>(k);
+    return t <= 0 || (along > 0 && reach * reach >= t * t * l2 * n2);
+  };
+  long low = 0;
+  long high = most + 1;
+  while (high - low > 1) {
+    const long middle = (low + high) / 2;
+    (reaches(middle) ? low : high) = middle;
   }
-  return 0;
+  return static_cast<int>(low);
 }
 
 }  // namespace halfspace
