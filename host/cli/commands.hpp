@@ -13,6 +13,7 @@ struct RenderRequest {
   PageRequest page;
   std::string output;
   std::string shader = "isqrt";
+  std::int32_t stride = default_stride;  // of shader stride
   bool statistics = false;
   std::string statistics_file;
 };

@@ -51,8 +51,15 @@ int run(int argc, char** argv) {
   render_command->add_option(
       "-o,--output", render.output,
       "A picture (.png .tif .pbm .pgm .exr), the device's bytes (.prn), or - for standard output");
-  render_command->add_option("--shader", render.shader, "How the depth of curved faces is found; the dots are the same")
-      ->check(CLI::IsMember({"isqrt", "jordan"}))
+  CLI::Option* shader =
+      render_command
+          ->add_option("--shader", render.shader,
+                       "How curved faces are shaded: isqrt and jordan exactly, stride by averages between some dots")
+          ->check(CLI::IsMember({"isqrt", "jordan", "stride"}))
+          ->capture_default_str();
+  render_command->add_option("--stride", render.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
+      ->check(CLI::Range(1, 32767))
+      ->needs(shader)
       ->capture_default_str();
   render_command->add_flag("--stats", render.statistics, "Print what the picture took");
   render_command->add_option("--stats-json", render.statistics_file,

@@ -96,7 +96,7 @@ DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRe
   {
     ProgressSink progress(sink, choice.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
     drawn.result = draw(source, progress, std::as_writable_bytes(std::span(memory)),
-                        {.shader = request.shader, .band_rows = rows, .measure = false}, all_modules);
+                        {.shader = request.shader, .stride = request.stride, .band_rows = rows, .measure = false}, all_modules);
   }
   if (drawn.result.status != DrawStatus::ok) {
     device.abort();

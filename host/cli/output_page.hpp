@@ -11,6 +11,7 @@ namespace halfspace {
 struct DrawRequest {
   std::string output;
   Shader shader = Shader::isqrt;
+  std::int32_t stride = default_stride;
   bool quiet = false;
 };
 

@@ -25,6 +25,11 @@ ExitStatus write_statistics(const RenderRequest& request, bool picture_on_output
   return write_text(request.statistics_file, statistics_json(pipeline, drawn));
 }
 
+Shader shader_named(const std::string& name) {
+  if (name == "stride") return Shader::stride;
+  return name == "jordan" ? Shader::jordan : Shader::isqrt;
+}
+
 }  // namespace
 
 ExitStatus run_render(const RenderRequest& request) {
@@ -42,8 +47,8 @@ ExitStatus run_render(const RenderRequest& request) {
   const bool statistics = request.statistics || !request.statistics_file.empty();
   const Pipeline pipeline = make_job(request.scene, choice, statistics);
   if (pipeline.status != ExitStatus::drawn) return pipeline.status;
-  const Shader shader = request.shader == "jordan" ? Shader::jordan : Shader::isqrt;
-  const DrawnPage drawn = draw_page(choice, pipeline.job, {output, shader, request.scene.quiet});
+  const DrawnPage drawn =
+      draw_page(choice, pipeline.job, {output, shader_named(request.shader), request.stride, request.scene.quiet});
   if (drawn.status != ExitStatus::drawn) return drawn.status;
   return write_statistics(request, output == "-", pipeline, drawn);
 }
