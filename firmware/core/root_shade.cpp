@@ -107,7 +107,9 @@ class SpanShader {
     std::int32_t x = x0_;
     for (;;) {
       const Light light = at.at(walk.next(at.d));
-      samples.add(x, grazing_ ? job_.table.ambient_level : find_level(at, light, fine(walk.root()), samples.level(), x));
+      const Margin& sure = fine(walk.root());
+      const auto asks = [&](std::int32_t candidate) { return reaches(at, light, sure, x, candidate); };
+      samples.add(x, grazing_ ? job_.table.ambient_level : search_level(job_.table, samples.level(), asks));
       if (x == x1_) return;
       const std::int32_t t = std::min(stride, x1_ - x);
       at.skip(t);
@@ -183,7 +185,8 @@ class SpanShader {
       const Light light = at.at(walk.next(at.d));
       const Margin& sure = margin_at(walk.root());
       if (level >= 0 && window.holds(light, sure)) continue;
-      const std::int32_t k = find_level(at, light, sure, level, x);
+      const std::int32_t k = search_level(
+          job_.table, level, [&](std::int32_t candidate) { return reaches(at, light, sure, x, candidate); });
       if (k == level) continue;
       if (level >= 0) {
         job_.painter.fill(from, x - 1, level);
@@ -199,14 +202,12 @@ class SpanShader {
   }
 
   // Inline, or the registers would not stay in the processor's.
-  [[nodiscard, gnu::always_inline]] std::int32_t find_level(const Registers& at, const Light& light, const Margin& sure,
-                                                            std::int32_t level, std::int32_t x) {
-    return search_level(job_.table, level, [&](std::int32_t candidate) {
-      const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(candidate)]);
-      if (answer != Answer::unsure) return answer == Answer::yes;
-      at_ = at;
-      return settle(x, candidate);
-    });
+  [[nodiscard, gnu::always_inline]] bool reaches(const Registers& at, const Light& light, const Margin& sure,
+                                                 std::int32_t x, std::int32_t k) {
+    const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(k)]);
+    if (answer != Answer::unsure) return answer == Answer::yes;
+    at_ = at;
+    return settle(x, k);
   }
 
   // The integer square root first (Jordan's walk asks here often), exact arithmetic last.

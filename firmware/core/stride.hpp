@@ -11,12 +11,12 @@
 
 namespace halfspace {
 
-// The paper's k: a short span, where levels change fast, is cut into this many intervals.
+// The paper's k: about so many intervals to a span at least (half as many to a short one), whatever the largest stride.
 inline constexpr std::int32_t stride_intervals = 16;
 
 // (6.9)
 constexpr std::int32_t stride_in(std::int32_t x0, std::int32_t x1, std::int32_t largest) {
-  return std::min((x1 - x0) / stride_intervals + 1, std::max(largest, 1));
+  return std::min((x1 - x0) / stride_intervals + 1, std::max<std::int32_t>(largest, 1));
 }
 
 // Takes the dots with exact levels from left to right and paints runs of equal levels.

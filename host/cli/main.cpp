@@ -57,7 +57,8 @@ int run(int argc, char** argv) {
                        "How curved faces are shaded: isqrt and jordan exactly, stride by averages between some dots")
           ->check(CLI::IsMember({"isqrt", "jordan", "stride"}))
           ->capture_default_str();
-  render_command->add_option("--stride", render.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
+  render_command
+      ->add_option("--stride", render.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
       ->check(CLI::Range(1, 32767))
       ->needs(shader)
       ->capture_default_str();

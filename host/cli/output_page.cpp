@@ -95,8 +95,9 @@ DrawnPage draw_page(const PageChoice& choice, const JobResult& job, const DrawRe
   DeviceSink sink(device, simulated->clock(), patience_ms);
   {
     ProgressSink progress(sink, choice.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
-    drawn.result = draw(source, progress, std::as_writable_bytes(std::span(memory)),
-                        {.shader = request.shader, .stride = request.stride, .band_rows = rows, .measure = false}, all_modules);
+    drawn.result =
+        draw(source, progress, std::as_writable_bytes(std::span(memory)),
+             {.shader = request.shader, .stride = request.stride, .band_rows = rows, .measure = false}, all_modules);
   }
   if (drawn.result.status != DrawStatus::ok) {
     device.abort();

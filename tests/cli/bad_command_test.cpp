@@ -23,9 +23,7 @@ Arguments draw(const Arguments& more) {
 
 Arguments with_size(const char* size) { return draw({"-d", "gray", "--size", size, "-o", "out.png"}); }
 Arguments with_levels(const char* levels) { return draw({"-d", "gray", "--levels", levels, "-o", "out.png"}); }
-Arguments with_stride(const char* stride) {
-  return draw({"--shader", "stride", "--stride", stride, "-o", "out.png"});
-}
+Arguments with_stride(const char* stride) { return draw({"--shader", "stride", "--stride", stride, "-o", "out.png"}); }
 
 std::vector<BadCommand> bad_commands() {
   return {

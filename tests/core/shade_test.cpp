@@ -267,9 +267,9 @@ TEST(Stride, ShowsExactLevelsAtItsDotsAndAveragesBetween) {
   std::uint64_t computed = 0, dots = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const Lighting lighting = random_lighting(dice);
-    const TestFace face =
-        dice() % 2 == 0 ? solid_face(dice, between(dice, 0, side), between(dice, 0, side), between(dice, 20, 90), lighting)
-                        : random_face(dice, FaceKind::rational, 40, lighting);
+    const TestFace face = dice() % 2 == 0 ? solid_face(dice, between(dice, 0, side), between(dice, 0, side),
+                                                       between(dice, 20, 90), lighting)
+                                          : random_face(dice, FaceKind::rational, 40, lighting);
     const std::int32_t levels = random_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, side);
     if (exact == nullptr) continue;
