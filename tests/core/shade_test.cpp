@@ -250,14 +250,15 @@ TEST(Shade, TheWidestSpan) {
 std::vector<std::uint8_t> levels_by_strides(const TestFace& face, const Lighting& lighting, std::int32_t levels,
                                             std::int32_t y, DotRun run, std::int32_t largest) {
   const std::int32_t stride = std::min((run.x1 - run.x0) / 16 + 1, largest);
-  std::vector<std::uint8_t> shown;
-  for (std::int32_t x = run.x0; x <= run.x1; ++x) {
-    const std::int32_t left = x - (x - run.x0) % stride;
-    const std::int32_t right = std::min(left + stride, run.x1);
-    const bool at_end = x == left || x == run.x1;
-    const std::int32_t a = testing::level_at(face, lighting, levels, at_end ? x : left, y);
-    const std::int32_t b = at_end ? a : testing::level_at(face, lighting, levels, right, y);
-    shown.push_back(static_cast<std::uint8_t>((a + b) / 2));
+  std::int32_t left = testing::level_at(face, lighting, levels, run.x0, y);
+  std::vector<std::uint8_t> shown{static_cast<std::uint8_t>(left)};
+  for (std::int32_t x = run.x0; x < run.x1;) {
+    const std::int32_t next = std::min(x + stride, run.x1);
+    const std::int32_t right = testing::level_at(face, lighting, levels, next, y);
+    shown.insert(shown.end(), static_cast<std::size_t>(next - x - 1), static_cast<std::uint8_t>((left + right) / 2));
+    shown.push_back(static_cast<std::uint8_t>(right));
+    x = next;
+    left = right;
   }
   return shown;
 }
