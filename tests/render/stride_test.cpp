@@ -1,6 +1,8 @@
 // The shader of strides on random scenes: with a stride of 1 the exact picture, with longer ones the same silhouettes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/oracle/describe.hpp"
 #include "tests/oracle/random_scenes.hpp"
 #include "tests/render/compare.hpp"
@@ -10,8 +12,8 @@ namespace halfspace {
 namespace {
 
 std::vector<bool> silhouette(const std::vector<std::int16_t>& levels) {
-  std::vector<bool> shown;
-  for (const std::int16_t level : levels) shown.push_back(level >= 0);
+  std::vector<bool> shown(levels.size());
+  std::transform(levels.begin(), levels.end(), shown.begin(), [](std::int16_t level) { return level >= 0; });
   return shown;
 }
 
