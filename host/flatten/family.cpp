@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "host/flatten/asymptote.hpp"
+#include "host/flatten/least_scale.hpp"
 #include "host/flatten/ranked_squares.hpp"
 #include "host/flatten/rational.hpp"
 
@@ -29,7 +31,7 @@ Vector3 perpendicular_to(const Vector3& v) {
   return unit(cross(v, axis));
 }
 
-// Makes three of them: they are orthogonal, and one at least.
+// Makes three of them; they are one at least, and orthogonal or no more than two.
 std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   if (known.size() == 3) return {};
   if (known.size() == 2) return {cross(known[0], known[1])};
@@ -37,8 +39,9 @@ std::vector<Vector3> missing_axes(const std::vector<Vector3>& known) {
   return {second, cross(known[0], second)};
 }
 
-std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin) {
-  auto form = ranked_squares_of(common, kin);
+// `z_is_ray`: the frame is the page's.
+std::optional<CommonSquares> common_squares(const RealHalfSpace& common, const Kinship& kin, bool z_is_ray) {
+  auto form = z_is_ray && is_asymptotic(common) ? squares_along_asymptote(common, kin) : ranked_squares_of(common, kin);
   if (!form) return std::nullopt;
   std::vector<Vector3> axes;
   for (const SquareTerm& term : form->squares) axes.push_back({term.form[0], term.form[1], term.form[2]});
@@ -92,12 +95,16 @@ struct PageForms {
   std::optional<Vector4> rest;
   Real constant = 0;
   WorldOne one;
-  Matrix4 dual{};  // points: in the i-th, form i of (squares, rest, free ones, one) is 1 and the others are 0
+  Real eye = 0, zero = 0;  // the value that the eye has, the coefficient of z^2, and what counts as 0 beside it
+  Matrix4 dual{};          // points: in the i-th, form i of (squares, rest, free ones, one) is 1 and the others are 0
 };
 
-PageForms page_forms(const CommonSquares& common, const Matrix4& to_forms, const WorldOne& one) {
+PageForms page_forms(const CommonSquares& common, const RealHalfSpace& here, const Matrix4& to_forms,
+                     const WorldOne& one) {
   PageForms page;
   page.one = one;
+  page.eye = here.c[2];
+  page.zero = zero_beside(here);
   Matrix4 basis{};
   std::size_t count = 0;
   const auto on_page = [&](const Vector4& form) {
@@ -159,8 +166,12 @@ struct Member {
 std::optional<Member> round_member(const PageForms& page, const CommonIntegers& common, const Kinship& kin,
                                    const LocalBox& box) {
   const bool is_zero = kin.rank == page.squares.size();
-  const Real exact = is_zero ? 0 : common.value * page.one.size * page.one.size * (page.constant + kin.constant);
-  Member member{round_to_integer(exact), {common.form, 0}};
+  const Real unit_value = common.value * page.one.size * page.one.size;
+  const Real exact = is_zero ? 0 : unit_value * (page.constant + kin.constant);
+  // An eye on the surface stays on it: no z^2 is left.
+  const bool meets_eye = !is_zero && page.one.form[2] == 1 &&
+                         magnitude(page.eye + page.one.size * page.one.size * kin.constant) <= page.zero;
+  Member member{meets_eye ? mpz_class(-common.form.c[2]) : round_to_integer(exact), {common.form, 0}};
   const Real multiple = to_real(member.multiple);
   const Vector4 unit = to_real(page.one.form);
   Vector3 moved = common.moved;
@@ -235,10 +246,8 @@ std::optional<std::vector<Quantised>> take_exactly(std::span<const FamilyMember>
 std::optional<std::vector<Quantised>> round_forms(std::span<const FamilyMember> members, const PageForms& page,
                                                   const LocalBox& box) {
   const Real least = least_square(page, box);
-  for (int bits = 0; bits < scale_limit; ++bits) {
-    if (auto all = round_all(members, page, power_of_two(2 * bits) / least, box)) return all;
-  }
-  return std::nullopt;
+  return with_least_bits(scale_limit,
+                         [&](int bits) { return round_all(members, page, power_of_two(2 * bits) / least, box); });
 }
 
 // In the box's frame.
@@ -252,12 +261,21 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
   // Where the world's 1 is 1 on the page, the page's frame serves as well as the group's own, and there the squares are
   // orthonormal: a sphere is one.
   const bool affine = is_affine(inverse);
-  const auto common = common_squares(affine ? here : own, members.front().kin);
+  const auto common = common_squares(affine ? here : own, members.front().kin, affine);
   if (!common) return std::nullopt;
-  return round_forms(members, page_forms(*common, affine ? identity_matrix : inverse, one), box);
+  return round_forms(members, page_forms(*common, here, affine ? identity_matrix : inverse, one), box);
 }
 
 }  // namespace
+
+std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin, const LocalBox& box) {
+  const auto common = common_squares(here, kin, true);
+  if (!common) return std::nullopt;
+  const FamilyMember alone{here, kin};
+  auto rounded = round_forms({&alone, 1}, page_forms(*common, here, identity_matrix, {{0, 0, 0, 1}, 1}), box);
+  if (!rounded) return std::nullopt;
+  return rounded->front();
+}
 
 std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members, const Matrix4& inverse,
                                                       const Region& region) {

@@ -24,4 +24,9 @@ struct FamilyMember {
 [[nodiscard]] std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members,
                                                                     const Matrix4& inverse, const Region& region);
 
+// One quadric in the box's frame by the same rule, U = 1: what it is survives. `kin` tells its ranks.
+// An asymptote along z stays one in both: a z^2 left over by rounding would put a second sheet far away, perhaps in front.
+[[nodiscard]] std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin,
+                                                        const LocalBox& box);
+
 }  // namespace halfspace

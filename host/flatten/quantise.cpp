@@ -1,8 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
-#include <functional>
-#include <vector>
-
+#include "host/flatten/family.hpp"
+#include "host/flatten/least_scale.hpp"
 #include "host/flatten/rational.hpp"
 #include "host/flatten/spectrum.hpp"
 
@@ -42,11 +41,9 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
 }
 
 // The least power of two that `attempt` makes something of.
-std::optional<Quantised> least_scale(const std::function<std::optional<Quantised>(Real)>& attempt) {
-  for (int bits = 0; bits < scale_limit; ++bits) {
-    if (auto result = attempt(power_of_two(bits))) return result;
-  }
-  return std::nullopt;
+template <class Attempt>
+std::optional<Quantised> least_scale(Attempt attempt) {
+  return with_least_bits(scale_limit, [&](int bits) { return attempt(power_of_two(bits)); });
 }
 
 std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
@@ -137,75 +134,6 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
   });
 }
 
-// A surface given by its squares and rest, with every form rounded on its own: rank and kind survive.
-class SquaresAttempt {
- public:
-  SquaresAttempt(const ReducedQuadric& reduced, const LocalBox& box) : reduced_(reduced), box_(box) {
-    for (std::size_t i = 0; i < reduced.count; ++i) {
-      const Real weight = magnitude(reduced.squares[i].weight);
-      least_ = i == 0 ? weight : smaller(least_, weight);
-    }
-  }
-
-  // The form of the least weight gets `scale`, and the value scale^2 / least weight.
-  std::optional<Quantised> operator()(Real scale) const {
-    Quantised result{{HalfSpaceKind::quadric, {}}, 0};
-    Real square = add_squares(scale, result.form);
-    if (reduced_.linear) {
-      const Real moved = add_linear_rest(scale * scale / least_, result.form);
-      square += moved * moved;
-    } else if (reduced_.constant() != 0) {
-      const auto moved = add_constant(scale * scale / least_, result.form);
-      if (!moved) return std::nullopt;
-      result.bound = *moved;
-    }
-    result.bound += square_root(square) + dropped_part(box_);
-    if (result.bound > box_.target) return std::nullopt;
-    return result;
-  }
-
- private:
-  // Returns the square of the displacement: the forms' normals are orthonormal.
-  Real add_squares(Real scale, IntegerForm& form) const {
-    Real square = 0;
-    for (std::size_t i = 0; i < reduced_.count; ++i) {
-      const SquareTerm& term = reduced_.squares[i];
-      const Real own = scale * square_root(magnitude(term.weight) / least_);
-      const RoundedLinear r = rounded(term.form, own);
-      add_square(form, term.weight < 0 ? -1 : 1, r.integers);
-      const Real moved = reach(r.residual, box_) / own;
-      square += moved * moved;
-    }
-    return square;
-  }
-
-  // The rest's normal goes in doubled (2G, 2H, 2J), so half of it is rounded.
-  Real add_linear_rest(Real scale, IntegerForm& form) const {
-    const Vector4& rest = reduced_.rest;
-    const RoundedLinear half = rounded({rest[0] / 2, rest[1] / 2, rest[2] / 2, 0}, scale);
-    const mpz_class constant = round_to_integer(rest[3] * scale);
-    for (std::size_t i = 0; i < 3; ++i) form.c[6 + i] += half.integers[i];
-    form.c[9] += constant;
-    const Vector4 residual{2 * half.residual[0], 2 * half.residual[1], 2 * half.residual[2],
-                           to_real(constant) - rest[3] * scale};
-    return reach(residual, box_) / (scale * length({rest[0], rest[1], rest[2]}));
-  }
-
-  // None where the constant would vanish.
-  std::optional<Real> add_constant(Real scale, IntegerForm& form) const {
-    const mpz_class constant = round_to_integer(reduced_.constant() * scale);
-    if (constant == 0) return std::nullopt;
-    form.c[9] += constant;
-    const Real gradient = least_gradient(reduced_);
-    if (gradient == 0) return 0;
-    return magnitude(to_real(constant) / scale - reduced_.constant()) / (2 * gradient);
-  }
-
-  const ReducedQuadric& reduced_;
-  const LocalBox& box_;
-  Real least_ = 0;
-};
-
 bool is_sphere(const ReducedQuadric& reduced) {
   if (reduced.count < 3) return false;
   const auto& [a, b, c] = reduced.squares;
@@ -229,7 +157,10 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   if (reduced.count == 0) return quantise_plane_like(reduced, box);
   if (is_sphere(reduced)) return quantise_sphere(reduced, box);
   if (reduced.count == 3 && reduced.constant() != 0) return quantise_central(h, reduced, box);
-  return least_scale(SquaresAttempt(reduced, box));
+  Kinship alone;
+  alone.squares = reduced.count;
+  alone.rank = reduced.count + (reduced.linear ? 2 : reduced.constant() != 0 ? 1 : 0);
+  return quantise_squares(h, alone, box);
 }
 
 bool is_zero(const RealHalfSpace& h) {

@@ -10,7 +10,8 @@
 namespace halfspace::testing {
 namespace {
 
-const std::filesystem::path folder = HALFSPACE_SOURCE_DIR "/tests/hard/scenes";
+// A text, not a path: names are asked for before all of the program is initialised.
+constexpr char folder[] = HALFSPACE_SOURCE_DIR "/tests/hard/scenes";
 
 std::vector<std::string> find_names() {
   std::vector<std::string> names;
@@ -27,7 +28,7 @@ const std::vector<std::string>& text_cases() {
 }
 
 std::string text_of(const std::string& name) {
-  std::ifstream in(folder / (name + ".uq"));
+  std::ifstream in(std::filesystem::path(folder) / (name + ".uq"));
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 

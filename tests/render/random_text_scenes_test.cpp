@@ -16,7 +16,7 @@ namespace halfspace {
 namespace {
 
 struct Tally {
-  std::uint64_t drawn = 0, refused = 0, broken_bounds = 0;
+  std::uint64_t drawn = 0, refused = 0, beyond_limits = 0, broken_bounds = 0;
 };
 
 // Does something show at both ends of the page, across or down (within a dot)?
@@ -47,7 +47,11 @@ void check(std::uint64_t seed, Tally& tally) {
   const testing::Drawn drawn = testing::draw_levels(flat.scene, seed % 2 == 0 ? Shader::isqrt : Shader::jordan);
   if (!drawn.refusal.empty()) {
     ++tally.refused;
-    EXPECT_NE(drawn.refusal.find("meet"), std::string::npos) << source.name << ": " << drawn.refusal << "\n" << text;
+    if (drawn.refusal.find("draw it smaller") != std::string::npos) {
+      ++tally.beyond_limits;
+    } else {
+      EXPECT_NE(drawn.refusal.find("meet"), std::string::npos) << source.name << ": " << drawn.refusal << "\n" << text;
+    }
     return;
   }
   ++tally.drawn;
@@ -81,6 +85,8 @@ TEST_P(RandomTextScenes, KeepTruthAndPromise) {
               static_cast<unsigned long long>(GetParam() + 1), static_cast<unsigned long long>(shares),
               static_cast<unsigned long long>(tally.drawn), static_cast<unsigned long long>(tally.refused),
               static_cast<unsigned long long>(tally.broken_bounds));
+  // An eye on a surface that reaches the limit of depth can take more bits than a job holds.
+  EXPECT_LE(tally.beyond_limits, 1 + count / 1000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shares, RandomTextScenes, ::testing::Range(std::uint64_t{0}, shares));
@@ -88,7 +94,8 @@ INSTANTIATE_TEST_SUITE_P(Shares, RandomTextScenes, ::testing::Range(std::uint64_
 // Scenes that once failed, each for its own reason (the log of this file's history tells).
 TEST(KeptTextScenes, StayRight) {
   Tally tally;
-  for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741, 4802, 10973}) check(seed, tally);
+  for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741, 4802, 6597, 10973})
+    check(seed, tally);
 }
 
 // Shells in perspective that reach their vanishing point.
