@@ -324,8 +324,8 @@ class Engine {
         ++counters.level_spans;
         painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
       } else {
-        module_of(face.kind)->shade({face, h_.lighting, levels_, exact_, painter_, counters}, options_.shader, y,
-                                    span.x0, span.x1);
+        module_of(face.kind)->shade({face, h_.lighting, levels_, exact_, painter_, counters, options_.stride},
+                                    options_.shader, y, span.x0, span.x1);
       }
     }
   }

@@ -33,8 +33,12 @@ struct Modules {
 };
 extern const Modules all_modules;
 
+inline constexpr std::int32_t default_stride = 8;
+
 struct DrawOptions {
   Shader shader = Shader::isqrt;
+  std::int32_t stride =
+      default_stride;           // of Shader::stride: at most so many dots from one level to the next, at least 1
   std::int32_t band_rows = 16;  // preferred; fewer where memory is short
   bool measure = false;         // visibility only: no shading, no bands; for the host's sweep in advance
 };

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/stride.hpp"
 
 namespace halfspace {
 namespace {
@@ -80,6 +81,7 @@ struct Registers {
     r += d1;
     d1 += d2;
   }
+  void skip(std::int32_t t) { jump(r, d1, d2, t); }
   [[nodiscard]] std::int64_t value() const { return static_cast<std::int64_t>(r) >> 32; }
   [[nodiscard]] std::uint64_t square() const {
     const auto v = static_cast<std::uint64_t>(value());
@@ -90,45 +92,79 @@ struct Registers {
   static std::uint64_t fixed(const Int& v, int shift) { return static_cast<std::uint64_t>(scaled(v, shift - 32)); }
 };
 
+// The registers of L and N at one dot of the span.
+class SpanShader {
+ public:
+  SpanShader(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) : job_(job), y_(y) {
+    const std::int64_t lx = static_cast<std::int64_t>(x0) - job.face.origin_x;
+    const std::int64_t ly = static_cast<std::int64_t>(y) - job.face.origin_y;
+    const std::array<Quadratic, 3> normal = line_normal(job.face, job.lighting, lx, ly);
+    Quadratic light;
+    int bits = 0;
+    for (int i = 0; i < 3; ++i) {
+      light.add(Int(job.lighting.light[i]) * Int(job.face.light_sign), normal[i]);
+      bits = std::max(bits, normal[i].bits(x1 - x0 + 1));
+    }
+    const int shift = bits + 1 - 30;
+    for (int i = 0; i < 3; ++i) n_[i] = Registers(normal[i], shift);
+    l_ = Registers(light, shift + job.table.light_bits);
+  }
+
+  void step() {
+    for (Registers& component : n_) component.step();
+    l_.step();
+  }
+  void skip(std::int32_t t) {
+    for (Registers& component : n_) component.skip(t);
+    l_.skip(t);
+  }
+  // Of the dot x where the registers stand, sought from `level`.
+  [[nodiscard]] std::int32_t level_at(std::int32_t x, std::int32_t level) const {
+    std::uint64_t n2 = 0;
+    for (const Registers& component : n_) n2 += component.square();
+    const Light here{l_.value(), static_cast<std::int64_t>(n2)};
+    return search_level(job_.table, level, [&](std::int32_t k) {
+      const Answer answer = compare(here, margin_, job_.table.squares[static_cast<std::size_t>(k)]);
+      if (answer != Answer::unsure) return answer == Answer::yes;
+      ++job_.counters.exact_levels;
+      return job_.exact.reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
+    });
+  }
+
+ private:
+  const ShadeJob& job_;
+  std::int32_t y_;
+  std::array<Registers, 3> n_;
+  Registers l_;
+  // |N_i| < 2^30, each off by 4 at most: |N|^2 by 3 (2 * 2^30 * 4 + 16).
+  Margin margin_ = Margin::of(4, 3 * ((std::int64_t{8} << 30) + 16));
+};
+
+void sample_span(const ShadeJob& job, SpanShader shader, std::int32_t x0, std::int32_t x1) {
+  const std::int32_t stride = stride_in(x0, x1, job.stride);
+  SampledLevels samples(job, x0);
+  samples.add(x0, shader.level_at(x0, -1));
+  for (std::int32_t x = x0; x < x1;) {
+    const std::int32_t t = std::min(stride, x1 - x);
+    shader.skip(t);
+    x += t;
+    samples.add(x, shader.level_at(x, samples.level()));
+  }
+  samples.finish();
+}
+
 }  // namespace
 
-void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  const std::int64_t lx = static_cast<std::int64_t>(x0) - job.face.origin_x;
-  const std::int64_t ly = static_cast<std::int64_t>(y) - job.face.origin_y;
-  const std::array<Quadratic, 3> normal = line_normal(job.face, job.lighting, lx, ly);
-  Quadratic light;
-  int bits = 0;
-  for (int i = 0; i < 3; ++i) {
-    light.add(Int(job.lighting.light[i]) * Int(job.face.light_sign), normal[i]);
-    bits = std::max(bits, normal[i].bits(x1 - x0 + 1));
-  }
-  const int shift = bits + 1 - 30;
-  std::array<Registers, 3> n;
-  for (int i = 0; i < 3; ++i) n[i] = Registers(normal[i], shift);
-  Registers l(light, shift + job.table.light_bits);
-  // |N_i| < 2^30, each off by 4 at most: |N|^2 by 3 (2 * 2^30 * 4 + 16).
-  const Margin margin = Margin::of(4, 3 * ((std::int64_t{8} << 30) + 16));
-
-  paint_levels(job, x0, x1, [&](std::int32_t x, std::int32_t level) {
-    std::uint64_t n2 = 0;
-    for (Registers& component : n) {
-      n2 += component.square();
-      component.step();
-    }
-    const Light here{l.value(), static_cast<std::int64_t>(n2)};
-    l.step();
-    return search_level(job.table, level, [&](std::int32_t k) {
-      const Answer answer = compare(here, margin, job.table.squares[static_cast<std::size_t>(k)]);
-      if (answer != Answer::unsure) return answer == Answer::yes;
-      ++job.counters.exact_levels;
-      return job.exact.reaches_level(job.face, job.lighting, job.table.levels, k, x, y);
-    });
+void shade_rational_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  SpanShader line(job, y, x0, x1);
+  if (shader == Shader::stride) return sample_span(job, line, x0, x1);
+  paint_levels(job, x0, x1, [&line](std::int32_t x, std::int32_t level) {
+    const std::int32_t k = line.level_at(x, level);
+    line.step();
+    return k;
   });
 }
 
-const FaceModule rational_faces{[](ActiveFace&, const Lighting&) {},
-                                [](const ShadeJob& job, Shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-                                  shade_rational_span(job, y, x0, x1);
-                                }};
+const FaceModule rational_faces{[](ActiveFace&, const Lighting&) {}, &shade_rational_span};
 
 }  // namespace halfspace

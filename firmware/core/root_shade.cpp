@@ -10,6 +10,7 @@
 #include "firmware/core/level_search.hpp"
 #include "firmware/core/root_surface.hpp"
 #include "firmware/core/root_walk.hpp"
+#include "firmware/core/stride.hpp"
 
 namespace halfspace {
 namespace {
@@ -35,10 +36,25 @@ struct Registers {
     r += r1;
     l += l1;
   }
+  void skip(std::int32_t t) {
+    skip(d, d1, d2, t);
+    skip(q, q1, q2, t);
+    skip(r, r1, 0, t);
+    skip(l, l1, 0, t);
+  }
   [[nodiscard]] Light at(std::int64_t s) const {
     // The error of s can take a small |N|^2 below 0; the true one is not.
     const std::int64_t n2 = q + (r >> root_fraction) * s;
     return {(l >> light_fraction) + (m * s >> 30), std::max<std::int64_t>(n2, 0)};
+  }
+
+ private:
+  static void skip(std::int64_t& value, std::int64_t& first, std::int64_t second, std::int32_t t) {
+    auto v = static_cast<std::uint64_t>(value);
+    auto f = static_cast<std::uint64_t>(first);
+    jump(v, f, static_cast<std::uint64_t>(second), t);
+    value = static_cast<std::int64_t>(v);
+    first = static_cast<std::int64_t>(f);
   }
 };
 
@@ -81,6 +97,23 @@ class SpanShader {
       sweep(JordanWalk(at_.d, depth_shift_), [&coarse](std::int64_t) -> const Margin& { return coarse; });
     } else {
       sweep(RootWalk(), [this](std::int64_t s) -> const Margin& { return fine(s); });
+    }
+  }
+
+  // The levels at the first dot, every `stride` dots from there, and at the last.
+  void sample(std::int32_t stride, SampledLevels& samples) {
+    Registers at = at_;
+    RootWalk walk;
+    std::int32_t x = x0_;
+    for (;;) {
+      const Light light = at.at(walk.next(at.d));
+      const Margin& sure = fine(walk.root());
+      const auto asks = [&](std::int32_t candidate) { return reaches(at, light, sure, x, candidate); };
+      samples.add(x, grazing_ ? job_.table.ambient_level : search_level(job_.table, samples.level(), asks));
+      if (x == x1_) return;
+      const std::int32_t t = std::min(stride, x1_ - x);
+      at.skip(t);
+      x += t;
     }
   }
 
@@ -152,12 +185,8 @@ class SpanShader {
       const Light light = at.at(walk.next(at.d));
       const Margin& sure = margin_at(walk.root());
       if (level >= 0 && window.holds(light, sure)) continue;
-      const std::int32_t k = search_level(job_.table, level, [&](std::int32_t candidate) {
-        const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(candidate)]);
-        if (answer != Answer::unsure) return answer == Answer::yes;
-        at_ = at;
-        return settle(x, candidate);
-      });
+      const std::int32_t k = search_level(
+          job_.table, level, [&](std::int32_t candidate) { return reaches(at, light, sure, x, candidate); });
       if (k == level) continue;
       if (level >= 0) {
         job_.painter.fill(from, x - 1, level);
@@ -170,6 +199,15 @@ class SpanShader {
     job_.painter.fill(from, x1_, level);
     job_.counters.level_spans += runs;
     job_.counters.intensities += static_cast<std::uint32_t>(n_);
+  }
+
+  // Inline, or the registers would not stay in the processor's.
+  [[nodiscard, gnu::always_inline]] bool reaches(const Registers& at, const Light& light, const Margin& sure,
+                                                 std::int32_t x, std::int32_t k) {
+    const Answer answer = compare(light, sure, job_.table.squares[static_cast<std::size_t>(k)]);
+    if (answer != Answer::unsure) return answer == Answer::yes;
+    at_ = at;
+    return settle(x, k);
   }
 
   // The integer square root first (Jordan's walk asks here often), exact arithmetic last.
@@ -190,9 +228,24 @@ class SpanShader {
   Margin deep_, shallow_;
 };
 
+// In walks that begin and end on dots of the stride: a jump of registers errs as its steps would.
+void sample_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const std::int32_t stride = stride_in(x0, x1, job.stride);
+  const std::int32_t walk = (longest_walk - 1) / stride * stride;
+  SampledLevels samples(job, x0);
+  std::int32_t last = x0 - stride;
+  while (last < x1) {
+    const std::int32_t first = std::min(x1, last + stride);
+    last = std::min(x1, first + walk);
+    SpanShader(job, y, first, last).sample(stride, samples);
+  }
+  samples.finish();
+}
+
 }  // namespace
 
 void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  if (shader == Shader::stride) return sample_span(job, y, x0, x1);
   for (; x0 <= x1; x0 += longest_walk) SpanShader(job, y, x0, std::min(x1, x0 + longest_walk - 1)).run(shader);
 }
 

@@ -1,4 +1,4 @@
-// shade.hpp - the levels of one face along one visible span, exact at every dot.
+// shade.hpp - the levels of one face along one visible span, exact at every dot, or (stride.hpp) at some.
 //   The level is the largest k with  L >= t_k |N|,  L = light . N, N the outward normal (any positive multiple of it).
 //   A filter on 64-bit additive registers settles nearly all dots; exact.hpp settles the rest.
 //   root_shade.cpp      faces with z^2: the depth by integer square root, or by Jordan's incremental conic
@@ -36,11 +36,12 @@ struct ShadeJob {
   const ExactModule& exact;
   RowPainter& painter;
   Counters& counters;
+  std::int32_t stride = 1;  // the largest of Shader::stride
 };
 
 // Shade dots x0 .. x1 of scan line y, where the face is visible.
 void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
-void shade_rational_span(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+void shade_rational_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
 
 // A kind of curved face: what it computes once when it enters, and its shader. Linked only where a table of modules names it.
 struct FaceModule {

@@ -13,10 +13,12 @@ namespace halfspace {
 struct PictureRequest {
   std::string output;
   std::string shader = "isqrt";
+  std::int32_t stride = default_stride;  // of the shader stride
   StatisticsRequest statistics;
 };
 
 [[nodiscard]] inline Shader shader_named(const std::string& name) {
+  if (name == "stride") return Shader::stride;
   return name == "jordan" ? Shader::jordan : Shader::isqrt;
 }
 

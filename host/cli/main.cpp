@@ -40,8 +40,15 @@ void add_page_options(CLI::App& command, PageRequest& page) {
 void add_picture_options(CLI::App& command, PictureRequest& picture) {
   command.add_option("-o,--output", picture.output,
                      "A picture (.png .tif .pbm .pgm .exr), the device's bytes (.prn), or - for standard output");
-  command.add_option("--shader", picture.shader, "How the depth of curved faces is found; the dots are the same")
-      ->check(CLI::IsMember({"isqrt", "jordan"}))
+  CLI::Option* shader =
+      command
+          .add_option("--shader", picture.shader,
+                      "How curved faces are shaded: isqrt and jordan exactly, stride by averages between some dots")
+          ->check(CLI::IsMember({"isqrt", "jordan", "stride"}))
+          ->capture_default_str();
+  command.add_option("--stride", picture.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
+      ->check(CLI::Range(1, 32767))
+      ->needs(shader)
       ->capture_default_str();
   command.add_flag("--stats", picture.statistics.table, "Print what the picture took");
   command.add_option("--stats-json", picture.statistics.file,

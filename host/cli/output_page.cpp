@@ -127,8 +127,9 @@ DrawnPage draw_page(ByteSource& job_bytes, const DrawRequest& request) {
   DeviceSink sink(device, simulated->clock(), patience_ms);
   {
     ProgressSink progress(sink, drawn.header.page.height, !request.quiet && isatty(STDERR_FILENO) != 0);
-    drawn.result = draw(job.reader(), drawn.header, progress, std::as_writable_bytes(std::span(memory)),
-                        {.shader = request.shader, .band_rows = rows, .measure = false}, all_modules);
+    drawn.result =
+        draw(job.reader(), drawn.header, progress, std::as_writable_bytes(std::span(memory)),
+             {.shader = request.shader, .stride = request.stride, .band_rows = rows, .measure = false}, all_modules);
   }
   if (drawn.result.status == DrawStatus::stopped) {
     device.abort();

@@ -14,6 +14,7 @@ struct DrawRequest {
   std::int32_t dpi = 0;
   std::string output;
   Shader shader = Shader::isqrt;
+  std::int32_t stride = default_stride;
   bool quiet = false;
   std::string job_name;  // the job's file, for errors; empty: it lies in memory
 };

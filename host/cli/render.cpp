@@ -17,6 +17,7 @@ ExitStatus run_render(const RenderRequest& request) {
                                           .dpi = choice.dpi,
                                           .output = *output,
                                           .shader = shader_named(request.draw.shader),
+                                          .stride = request.draw.stride,
                                           .quiet = request.scene.quiet,
                                           .job_name = ""});
   if (drawn.status != ExitStatus::drawn) return drawn.status;

@@ -19,6 +19,7 @@ ExitStatus run_job(const RunRequest& request) {
                                            .dpi = choice.dpi,
                                            .output = *output,
                                            .shader = shader_named(request.draw.shader),
+                                           .stride = request.draw.stride,
                                            .quiet = request.quiet,
                                            .job_name = file.name()});
   if (drawn.status != ExitStatus::drawn) return drawn.status;

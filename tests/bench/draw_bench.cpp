@@ -1,5 +1,6 @@
 // draw_bench - processor time of a gray page, one thread, bands to nowhere; `dots` counts those that show a face.
 //   draw_page      the core alone, the job in memory; `empty` is the page without its bodies, to be taken off
+//   draw_strides   the same by the shader of strides; `off_by_one`, `off_by_more` and `worst` say how far from the exact levels
 //   from_text      everything: reading, flattening, resolving, the job and the page
 //   resolve_bodies the resolver alone; `median_ms` is the median over bodies of at most two quadrics
 #include <benchmark/benchmark.h>
@@ -64,12 +65,27 @@ class Nowhere final : public BandSink {
   }
 };
 
-DrawResult draw_job(const JobResult& job, Shader shader, std::vector<std::uint64_t>& memory) {
+class Dots final : public BandSink {
+ public:
+  bool put_band(const Band& band) override {
+    levels.insert(levels.end(), band.bytes.begin(), band.bytes.end());
+    return true;
+  }
+  std::vector<std::uint8_t> levels;
+};
+
+DrawResult draw_into(BandSink& sink, const JobResult& job, Shader shader, std::int32_t stride,
+                     std::vector<std::uint64_t>& memory) {
   memory.resize(memory_needed(job.header, band_rows) / 8 + 1);
   MemorySource source(job.bytes);
-  Nowhere sink;
   return draw(source, sink, std::as_writable_bytes(std::span(memory)),
-              {.shader = shader, .band_rows = band_rows, .measure = false}, all_modules);
+              {.shader = shader, .stride = stride, .band_rows = band_rows, .measure = false}, all_modules);
+}
+
+DrawResult draw_job(const JobResult& job, Shader shader, std::vector<std::uint64_t>& memory,
+                    std::int32_t stride = default_stride) {
+  Nowhere sink;
+  return draw_into(sink, job, shader, stride, memory);
 }
 
 void draw_page(benchmark::State& state, const std::string& name, bool with_bodies, Shader shader) {
@@ -81,6 +97,33 @@ void draw_page(benchmark::State& state, const std::string& name, bool with_bodie
   if (counted.status != DrawStatus::ok) state.SkipWithError("the core refuses the job");
   for (auto _ : state) benchmark::DoNotOptimize(draw_job(job, shader, memory).status);
   state.counters["dots"] = static_cast<double>(counted.counters.dots);
+}
+
+// Dots off by so many levels: one, more, and the most there are.
+void count_errors(benchmark::State& state, const JobResult& job, std::int32_t stride) {
+  std::vector<std::uint64_t> memory;
+  Dots exact, drawn;
+  (void)draw_into(exact, job, Shader::isqrt, stride, memory);
+  (void)draw_into(drawn, job, Shader::stride, stride, memory);
+  std::int64_t one = 0, more = 0;
+  int worst = 0;
+  for (std::size_t i = 0; i < exact.levels.size(); ++i) {
+    const int error = std::abs(drawn.levels[i] - exact.levels[i]);
+    worst = std::max(worst, error);
+    one += error == 1 ? 1 : 0;
+    more += error > 1 ? 1 : 0;
+  }
+  state.counters["off_by_one"] = static_cast<double>(one);
+  state.counters["off_by_more"] = static_cast<double>(more);
+  state.counters["worst"] = worst;
+}
+
+void draw_strides(benchmark::State& state, const std::string& name) {
+  const JobResult job = job_of(flat_scene(text_of(name)));
+  const auto stride = static_cast<std::int32_t>(state.range(0));
+  std::vector<std::uint64_t> memory;
+  for (auto _ : state) benchmark::DoNotOptimize(draw_job(job, Shader::stride, memory, stride).status);
+  count_errors(state, job, stride);
 }
 
 void from_text(benchmark::State& state, const std::string& name, Shader shader) {
@@ -125,6 +168,8 @@ BENCHMARK_CAPTURE(draw_page, clover_knot_jordan, "clover_knot", true, Shader::jo
 BENCHMARK_CAPTURE(draw_page, gear, "gear", true, Shader::isqrt)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(draw_page, gear_jordan, "gear", true, Shader::jordan)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(draw_page, empty, "gear", false, Shader::isqrt)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(draw_strides, clover_knot, "clover_knot")->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(draw_strides, gear, "gear")->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(from_text, clover_knot, "clover_knot", Shader::isqrt)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(from_text, gear, "gear", Shader::isqrt)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(resolve_bodies, clover_knot, "clover_knot")->Unit(benchmark::kMillisecond);

@@ -23,6 +23,7 @@ Arguments draw(const Arguments& more) {
 
 Arguments with_size(const char* size) { return draw({"-d", "gray", "--size", size, "-o", "out.png"}); }
 Arguments with_levels(const char* levels) { return draw({"-d", "gray", "--levels", levels, "-o", "out.png"}); }
+Arguments with_stride(const char* stride) { return draw({"--shader", "stride", "--stride", stride, "-o", "out.png"}); }
 
 std::vector<BadCommand> bad_commands() {
   return {
@@ -48,7 +49,13 @@ std::vector<BadCommand> bad_commands() {
       {"UnknownEnding", draw({"-o", "out.jpeg"}), 2, {"out.jpeg", ".png"}},
       {"NoEnding", draw({"-o", "out"}), 2, {"out", ".png"}},
       {"GrayInBitmap", draw({"-d", "gray", "-o", "out.pbm"}), 2, {".pbm", "use .pgm"}},
-      {"UnknownShader", draw({"--shader", "ray", "-o", "out.png"}), 2, {"--shader", "isqrt", "jordan"}},
+      {"UnknownShader", draw({"--shader", "ray", "-o", "out.png"}), 2, {"--shader", "isqrt", "jordan", "stride"}},
+      {"NoStride", with_stride("0"), 2, {"--stride", "1 to 32767"}},
+      {"NegativeStride", with_stride("-8"), 2, {"--stride"}},
+      {"StrideBeyondAPage", with_stride("32768"), 2, {"--stride", "1 to 32767"}},
+      {"WordForStride", with_stride("far"), 2, {"--stride", "far"}},
+      {"EmptyStride", with_stride(""), 2, {"--stride"}},
+      {"StrideOfNoShader", draw({"--stride", "8", "-o", "out.png"}), 2, {"--stride", "--shader"}},
       {"UnknownScreen", draw({"--screen", "dots", "-o", "out.png"}), 2, {"--screen", "bayer"}},
       {"UnknownBackground", draw({"--background", "red", "-o", "out.png"}), 2, {"--background", "black", "white"}},
       {"UnknownLanguage", draw({"--language", "c", "-o", "out.png"}), 2, {"--language", "uq"}},

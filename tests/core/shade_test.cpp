@@ -1,4 +1,4 @@
-// The level of every dot of random faces, by both shaders, against GMP.
+// The level of every dot of random faces, by every shader, against GMP.
 #include "firmware/core/shade.hpp"
 
 #include <gtest/gtest.h>
@@ -29,15 +29,16 @@ class Canvas {
 
   [[nodiscard]] const LevelTable& table() const { return table_; }
 
-  Shaded shade(const TestFace& face, const ExactModule& exact, Shader shader, std::int32_t y, DotRun run) {
+  Shaded shade(const TestFace& face, const ExactModule& exact, Shader shader, std::int32_t y, DotRun run,
+               std::int32_t stride = 1) {
     Shaded result;
     RowPainter painter(page_, words_, {});
     painter.begin(y);
-    const ShadeJob job{face.active, lighting_, table_, exact, painter, result.counters};
+    const ShadeJob job{face.active, lighting_, table_, exact, painter, result.counters, stride};
     if (face.active.kind == FaceKind::root) {
       shade_root_span(job, shader, y, run.x0, run.x1);
     } else {
-      shade_rational_span(job, y, run.x0, run.x1);
+      shade_rational_span(job, shader, y, run.x0, run.x1);
     }
     result.levels.resize(page_.row_bytes());
     painter.copy_to(result.levels);
@@ -56,7 +57,7 @@ struct Tally {
   std::uint64_t dots = 0, exact = 0;
 };
 
-// Every run of the face on line y, whole and cut to a few dots, by both shaders.
+// Every run of the face on line y, whole and cut to a few dots, by every shader: a stride of 1 is exact.
 void expect_exact_levels(const TestFace& face, const Lighting& lighting, std::int32_t levels, std::int32_t y,
                          Dice& dice, Tally& tally) {
   const ExactModule* exact = exact_for({&face}, lighting, levels, side);
@@ -68,7 +69,7 @@ void expect_exact_levels(const TestFace& face, const Lighting& lighting, std::in
     const auto from = static_cast<std::int32_t>(between(dice, run.x0, run.x1));
     const auto to = static_cast<std::int32_t>(std::min<std::int64_t>(run.x1, from + between(dice, 0, 3)));
     for (const DotRun& part : {run, DotRun{from, to}}) {
-      for (const Shader shader : {Shader::isqrt, Shader::jordan}) {
+      for (const Shader shader : {Shader::isqrt, Shader::jordan, Shader::stride}) {
         const Shaded shaded = canvas.shade(face, *exact, shader, y, part);
         for (std::int32_t x = part.x0; x <= part.x1; ++x) {
           ASSERT_EQ(shaded.levels[static_cast<std::size_t>(x - part.x0)],
@@ -242,6 +243,66 @@ TEST(Shade, TheWidestSpan) {
       ASSERT_EQ(shaded.levels[static_cast<std::size_t>(x - run.x0)], testing::level_at(*f, lighting, 256, x, 30)) << x;
     }
     EXPECT_LT(shaded.counters.exact_levels, 330U) << "kind " << static_cast<int>(f->active.kind);
+  }
+}
+
+// The paper's 6.5.1 written down plainly: exact levels at the span's ends and every stride dots, averages between.
+std::vector<std::uint8_t> levels_by_strides(const TestFace& face, const Lighting& lighting, std::int32_t levels,
+                                            std::int32_t y, DotRun run, std::int32_t largest) {
+  const std::int32_t stride = std::min((run.x1 - run.x0) / 16 + 1, largest);
+  std::int32_t left = testing::level_at(face, lighting, levels, run.x0, y);
+  std::vector<std::uint8_t> shown{static_cast<std::uint8_t>(left)};
+  for (std::int32_t x = run.x0; x < run.x1;) {
+    const std::int32_t next = std::min(x + stride, run.x1);
+    const std::int32_t right = testing::level_at(face, lighting, levels, next, y);
+    shown.insert(shown.end(), static_cast<std::size_t>(next - x - 1), static_cast<std::uint8_t>((left + right) / 2));
+    shown.push_back(static_cast<std::uint8_t>(right));
+    x = next;
+    left = right;
+  }
+  return shown;
+}
+
+TEST(Stride, ShowsExactLevelsAtItsDotsAndAveragesBetween) {
+  Dice dice(26);
+  std::uint64_t computed = 0, dots = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face = dice() % 2 == 0 ? solid_face(dice, between(dice, 0, side), between(dice, 0, side),
+                                                       between(dice, 20, 90), lighting)
+                                          : random_face(dice, FaceKind::rational, 40, lighting);
+    const std::int32_t levels = random_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, side);
+    if (exact == nullptr) continue;
+    Canvas canvas(lighting, levels);
+    const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    for (const DotRun& run : runs_of(face, y, side)) {
+      for (const std::int32_t largest : {2, 3, 32767}) {
+        const Shaded shaded = canvas.shade(face, *exact, Shader::stride, y, run, largest);
+        ASSERT_EQ(shaded.levels, levels_by_strides(face, lighting, levels, y, run, largest))
+            << "trial " << trial << " stride " << largest << " dots " << run.x0 << ".." << run.x1;
+        computed += shaded.counters.intensities;
+        dots += shaded.levels.size();
+      }
+    }
+  }
+  EXPECT_GT(dots, 50000U);
+  EXPECT_LT(computed * 2, dots);
+}
+
+// Longer than a walk of the registers, and strides longer than that.
+TEST(Stride, GoesOnFromWalkToWalk) {
+  constexpr std::int32_t width = 32767;
+  const Lighting lighting = plain_lighting({-300, 200, -800});
+  Canvas canvas(lighting, 256, width);
+  const TestFace face =
+      make_face(FaceKind::root, diagonal(3, 3, 2, -3L * 16384 * 16384), {16383, 20, 0}, -1, 1, 0, lighting);
+  const DotRun whole = runs_of(face, 30, width).front();
+  for (const DotRun run : {whole, DotRun{3000, 5000}, DotRun{3000, 3512}}) {
+    for (const std::int32_t largest : {7, 16, 511, 32767}) {
+      const Shaded shaded = canvas.shade(face, exact_1152, Shader::stride, 30, run, largest);
+      ASSERT_EQ(shaded.levels, levels_by_strides(face, lighting, 256, 30, run, largest)) << largest;
+    }
   }
 }
 

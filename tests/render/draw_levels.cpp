@@ -17,7 +17,7 @@ class Collector final : public BandSink {
 };
 
 std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedScene& resolved, std::int32_t background,
-                                    Shader shader, Drawn& drawn) {
+                                    Shader shader, std::int32_t stride, Drawn& drawn) {
   JobOptions options;
   options.page = {scene.width, scene.height, DotFormat::gray, scene.levels, background};
   options.measure = false;
@@ -30,7 +30,7 @@ std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedSce
   MemorySource source(job.bytes);
   Collector collector;
   drawn.result = draw(source, collector, std::as_writable_bytes(std::span(memory)),
-                      {.shader = shader, .band_rows = 16, .measure = false}, all_modules);
+                      {.shader = shader, .stride = stride, .band_rows = 16, .measure = false}, all_modules);
   if (drawn.result.status != DrawStatus::ok) {
     drawn.refusal = "core status " + std::to_string(static_cast<int>(drawn.result.status));
   }
@@ -40,12 +40,12 @@ std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedSce
 }  // namespace
 
 // Drawn on black and on white: a dot that differs shows no face.
-Drawn draw_levels(const IntegerScene& scene, Shader shader) {
+Drawn draw_levels(const IntegerScene& scene, Shader shader, std::int32_t stride) {
   Drawn drawn;
   const ResolvedScene resolved = resolve(scene);
-  const auto black = draw_gray(scene, resolved, 0, shader, drawn);
+  const auto black = draw_gray(scene, resolved, 0, shader, stride, drawn);
   if (!drawn.refusal.empty()) return drawn;
-  const auto white = draw_gray(scene, resolved, scene.levels - 1, shader, drawn);
+  const auto white = draw_gray(scene, resolved, scene.levels - 1, shader, stride, drawn);
   if (!drawn.refusal.empty()) return drawn;
   for (std::size_t i = 0; i < black.size(); ++i) {
     drawn.levels.push_back(black[i] == white[i] ? static_cast<std::int16_t>(black[i]) : std::int16_t{-1});

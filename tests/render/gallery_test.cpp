@@ -48,6 +48,7 @@ TEST_P(Gallery, IsExactOnTheVarian) {
   ASSERT_EQ(drawn.refusal, "");
   EXPECT_EQ(testing::first_difference(flat.scene, drawn.levels), "");
   EXPECT_EQ(testing::draw_levels(flat.scene, Shader::jordan).levels, drawn.levels);
+  EXPECT_EQ(testing::draw_levels(flat.scene, Shader::stride, 1).levels, drawn.levels);
   const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels);
   EXPECT_GT(promise.dots, 0U);
   EXPECT_TRUE(promise.broken.empty());
