@@ -334,15 +334,15 @@ void RayCaster<T>::add_hits(const Body& body, const T& x, const T& y, const T& b
       r = {1, {-(row[0] * x + row[1] * y + row[3]) / row[2], T(0)}};
     }
     for (int i = 0; i < r.count; ++i) {
-      if (before_eye(r.z[i])) continue;
       const PagePoint<T> p = {x, y, r.z[i]};
       if (misses) {
         const T moves = slope(s, p) * bound + s.bend * bound * bound;
         if (abs(value(s, p)) > moves) continue;
       }
       std::optional<Hit> found = hit(body, s, p, bound);
-      if (!found) continue;
-      if (misses) found->certain = false;
+      if (!found || before_eye(found->least)) continue;
+      // A surface beside the horizon may lie before the eye plane or behind it.
+      if (misses || before_eye(found->most)) found->certain = false;
       hits.push_back(*found);
     }
   }
