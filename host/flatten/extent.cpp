@@ -1,9 +1,12 @@
 #include "host/flatten/extent.hpp"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <utility>
 
 #include "host/flatten/extent_filter.hpp"
+#include "host/flatten/meeting_extent.hpp"
 #include "host/flatten/spectrum.hpp"
 
 namespace halfspace {
@@ -345,9 +348,20 @@ class Search {
   Extent result_;
 };
 
+bool may_have_meeting_quadrics(std::span<const Side> sides) {
+  std::optional<std::size_t> family;
+  return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
+    if (!side.family || side.family == family) return false;
+    return std::exchange(family, side.family).has_value();
+  });
+}
+
 }  // namespace
 
-Extent extent_of(std::span<const Side> sides) { return Search(sides).run(); }
+Extent extent_of(std::span<const Side> sides, Real slack) {
+  const Extent found = Search(sides).run();
+  return may_have_meeting_quadrics(sides) ? meeting_extent(sides, found, slack) : found;
+}
 
 Box around(const Box& a, const Box& b) {
   Box result;

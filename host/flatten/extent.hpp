@@ -7,6 +7,7 @@
 // Cost     Cubic in the half-spaces of one body.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace halfspace {
 struct Side {
   RealHalfSpace shape;
   bool complement = false;
+  // Of a quadric that is no pair of planes: those with the same number never meet (kinship.hpp).
+  std::optional<std::size_t> family = std::nullopt;
 };
 
 struct Box {
@@ -29,7 +32,8 @@ struct Extent {
   Box box;
 };
 
-[[nodiscard]] Extent extent_of(std::span<const Side> sides);
+// A side of the box is good enough when it is no further off than `slack`.
+[[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack = 0);
 
 [[nodiscard]] Box around(const Box& a, const Box& b);
 

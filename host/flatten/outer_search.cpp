@@ -1,0 +1,171 @@
+#include "host/flatten/outer_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace halfspace {
+namespace {
+
+constexpr int grid = 4;             // cells a side, in the search for the part with the body
+constexpr int most_grids = 200;     // each shrinks some side by a quarter: 2^60 in all
+constexpr int most_halvings = 600;  // of a search outwards
+constexpr double shrunk = 0.76;
+
+// An open box and the forms whose sign is not the same all over it.
+struct Open {
+  Cell cell;
+  std::vector<std::uint32_t> doubtful;
+  double top = 0;
+};
+bool operator<(const Open& a, const Open& b) { return a.top < b.top; }
+
+bool may_hold(std::span<const BoundForm> forms, const Cell& cell) {
+  return std::none_of(forms.begin(), forms.end(), [&](const BoundForm& f) { return f.over(cell).low > 0; });
+}
+
+// Corners rounded outwards.
+Cell cell_between(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  Cell cell;
+  for (std::size_t i = 0; i < 3; ++i) {
+    cell.middle[i] = low[i] + (high[i] - low[i]) / 2;
+    cell.half[i] = std::max(high[i] - cell.middle[i], cell.middle[i] - low[i]) * (1 + 0x1p-50);
+  }
+  return cell;
+}
+
+double outer_end(const Cell& cell, std::size_t i, double sign) {
+  return cell.middle[i] + sign * cell.half[i] * (1 + 0x1p-50);
+}
+
+// Around the cells of a grid that are not dropped.
+std::optional<Cell> around_grid(std::span<const BoundForm> forms, const Cell& whole) {
+  std::array<double, 3> low{}, high{};
+  bool is_empty = true;
+  Cell cell;
+  for (std::size_t i = 0; i < 3; ++i) cell.half[i] = whole.half[i] / grid * (1 + 0x1p-40);  // neighbours overlap
+  for (int n = 0; n < grid * grid * grid; ++n) {
+    const std::array<int, 3> place{n % grid, n / grid % grid, n / (grid * grid)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      cell.middle[i] = whole.middle[i] + (2 * place[i] + 1 - grid) * (whole.half[i] / grid);
+    }
+    if (!may_hold(forms, cell)) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double a = outer_end(cell, i, -1);
+      const double b = outer_end(cell, i, 1);
+      low[i] = is_empty ? a : std::min(low[i], a);
+      high[i] = is_empty ? b : std::max(high[i], b);
+    }
+    is_empty = false;
+  }
+  if (is_empty) return std::nullopt;
+  return cell_between(low, high);
+}
+
+class Search {
+ public:
+  Search(std::span<const BoundForm> forms, std::size_t axis, double sign, double known)
+      : forms_(forms), axis_(axis), sign_(sign) {
+    result_.known = known;
+  }
+
+  Outermost run(const Cell& whole, double slack) {
+    Open first{whole, {}, 0};
+    for (std::uint32_t i = 0; i < forms_.size(); ++i) first.doubtful.push_back(i);
+    offer(std::move(first));
+    for (int n = 0; n < most_halvings && is_open(slack); ++n) {
+      Open outer = open_.top();
+      open_.pop();
+      halve(std::move(outer));
+    }
+    collect();
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool is_open(double slack) const { return !open_.empty() && open_.top().top > result_.known + slack; }
+
+  void halve(Open open) {
+    const auto& h = open.cell.half;
+    const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
+    Open other = open;
+    const double quarter = open.cell.half[longest] / 2;
+    open.cell.half[longest] = other.cell.half[longest] = quarter * (1 + 0x1p-40);
+    open.cell.middle[longest] -= quarter;
+    other.cell.middle[longest] += quarter;
+    offer(std::move(open));
+    offer(std::move(other));
+  }
+
+  void offer(Open open) {
+    std::vector<std::uint32_t> doubtful;
+    bool middle_holds = true;
+    for (const std::uint32_t i : open.doubtful) {
+      const ValueRange range = forms_[i].over(open.cell);
+      if (range.low > 0) return;
+      if (range.high <= 0) continue;
+      doubtful.push_back(i);
+      middle_holds = middle_holds && range.high_in_the_middle <= 0;
+    }
+    const double middle = sign_ * open.cell.middle[axis_];
+    open.top = sign_ * outer_end(open.cell, axis_, sign_);
+    if (doubtful.empty()) {
+      result_.known = std::max(result_.known, middle + open.cell.half[axis_] * (1 - 0x1p-40));
+    } else if (middle_holds) {
+      result_.known = std::max(result_.known, middle);
+    }
+    open.doubtful = std::move(doubtful);
+    if (open.top > result_.known) open_.push(std::move(open));
+  }
+
+  void collect() {
+    for (; !open_.empty() && open_.top().top > result_.known; open_.pop()) {
+      const Open& open = open_.top();
+      result_.bound = std::max(result_.bound, open.top);
+      add_meetings(open.doubtful);
+    }
+  }
+
+  void add_meetings(const std::vector<std::uint32_t>& forms) {
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      result_.meetings.insert({forms[i]});
+      for (std::size_t j = i + 1; j < forms.size(); ++j) {
+        result_.meetings.insert({forms[i], forms[j]});
+        for (std::size_t k = j + 1; k < forms.size(); ++k) result_.meetings.insert({forms[i], forms[j], forms[k]});
+      }
+    }
+  }
+
+  std::span<const BoundForm> forms_;
+  std::size_t axis_;
+  double sign_;
+  std::priority_queue<Open> open_;
+  Outermost result_;
+};
+
+}  // namespace
+
+std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole) {
+  Cell cell = whole;
+  for (int n = 0; n < most_grids; ++n) {
+    const auto part = around_grid(forms, cell);
+    if (!part) return std::nullopt;
+    bool has_shrunk = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      has_shrunk = has_shrunk || part->half[i] < shrunk * cell.half[i];
+      if (part->half[i] < cell.half[i]) {
+        cell.half[i] = part->half[i];
+        cell.middle[i] = part->middle[i];
+      }
+    }
+    if (!has_shrunk) break;
+  }
+  return cell;
+}
+
+Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double sign,
+                          double known, double slack) {
+  return Search(forms, axis, sign, known).run(whole, slack);
+}
+
+}  // namespace halfspace

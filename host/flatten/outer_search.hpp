@@ -1,0 +1,36 @@
+// outer_search.hpp - the outermost points of a body, searched with boxes: quick, never wrong, and not always decided.
+// Method   A box in which a half-space fails everywhere is dropped, one in which all hold shows how far the body reaches; others are
+//          halved, the outermost first (branch and bound). What is left when the search stops says which surfaces can
+//          matter to the rest of the question.
+// Frame    Coordinates in which the body lies within +-1.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "host/flatten/bound_form.hpp"
+
+namespace halfspace {
+
+// The part of `whole` that the body can be in; none where there is no body.
+[[nodiscard]] std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole);
+
+using Meeting = std::vector<std::uint32_t>;  // up to three forms that may vanish together, ascending
+
+struct Outermost {
+  double known = -std::numeric_limits<double>::infinity();  // the body reaches at least this far
+  double bound =
+      -std::numeric_limits<double>::infinity();  // and no further than this; less than `known`: nothing is left
+  std::set<Meeting> meetings;                    // that lie between
+};
+
+// Along `axis` (0, 1, 2) in the direction of `sign`, distances counted that way. Stops early when the two are no further apart than
+// `slack`.
+[[nodiscard]] Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis,
+                                        double sign, double known, double slack);
+
+}  // namespace halfspace

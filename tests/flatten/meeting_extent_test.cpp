@@ -1,0 +1,209 @@
+// How far bodies reach whose quadrics meet: solids with known boxes, and random ones against sampling.
+#include "host/flatten/meeting_extent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "host/flatten/extent.hpp"
+#include "tests/flatten/flatten_fixture.hpp"
+#include "tests/oracle/dice.hpp"
+
+namespace halfspace {
+namespace {
+
+using Coefficients = std::array<double, 10>;
+
+Side quadric(const Coefficients& c, std::size_t family, bool complement = false) {
+  Side side{{HalfSpaceKind::quadric, {}}, complement, family};
+  for (std::size_t i = 0; i < 10; ++i) side.shape.c[i] = c[i];
+  return side;
+}
+
+Side plane(double a, double b, double c, double d) {
+  return {{HalfSpaceKind::plane, {a, b, c, d}}, false, std::nullopt};
+}
+
+std::vector<Side> body(std::initializer_list<Coefficients> inside, std::initializer_list<Coefficients> outside = {}) {
+  std::vector<Side> sides;
+  for (const Coefficients& c : inside) sides.push_back(quadric(c, sides.size()));
+  for (const Coefficients& c : outside) sides.push_back(quadric(c, sides.size(), true));
+  return sides;
+}
+
+std::vector<Side> with(std::vector<Side> sides, std::initializer_list<Side> more) {
+  sides.insert(sides.end(), more.begin(), more.end());
+  return sides;
+}
+
+// Through three axes: every point x becomes x m.
+std::vector<Side> turned(std::vector<Side> sides, const char* degrees) {
+  const SineCosine t = sine_cosine_of_degrees(degrees);
+  const Matrix4 about_z{{{t.cosine, t.sine, 0, 0}, {-t.sine, t.cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  const Matrix4 about_x{{{1, 0, 0, 0}, {0, t.cosine, t.sine, 0}, {0, -t.sine, t.cosine, 0}, {0, 0, 0, 1}}};
+  for (Side& side : sides) side.shape = normalised(transformed(side.shape, product(about_z, about_x)));
+  return sides;
+}
+
+void expect_box(const std::vector<Side>& sides, const std::array<double, 6>& box, double tolerance = 1e-15) {
+  const Extent extent = extent_of(sides);
+  EXPECT_FALSE(extent.empty);
+  EXPECT_FALSE(extent.unbounded);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(static_cast<double>(extent.box.low[i]), box[2 * i], tolerance) << "low " << i;
+    EXPECT_NEAR(static_cast<double>(extent.box.high[i]), box[2 * i + 1], tolerance) << "high " << i;
+  }
+}
+
+constexpr Coefficients ball{1, 1, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_x{0, 1, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_y{1, 0, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_z{1, 1, 0, 0, 0, 0, 0, 0, 0, -1};
+
+Coefficients ball_at(double x, double y, double z, double r) {
+  return {1, 1, 1, 0, 0, 0, -x, -y, -z, x * x + y * y + z * z - r * r};
+}
+
+TEST(MeetingExtent, SteinmetzOfTwo) { expect_box(body({along_x, along_y}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, SteinmetzOfThree) { expect_box(body({along_x, along_y, along_z}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, SimpleNumbersStaySimple) {
+  const Extent extent = extent_of(body({along_x, along_y}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(extent.box.high[i] == 1 && extent.box.low[i] == -1) << i;
+}
+
+// About the six axes through opposite edges of a cube. It touches the unit sphere on the three axes of fourth order.
+TEST(MeetingExtent, SteinmetzOfSix) {
+  // |x|^2 - (x . d)^2 <= 1 for d = (1, 1, 0) / sqrt 2 and so on
+  expect_box(body({{.5, .5, 1, -.5, 0, 0, 0, 0, 0, -1},
+                   {.5, .5, 1, .5, 0, 0, 0, 0, 0, -1},
+                   {1, .5, .5, 0, -.5, 0, 0, 0, 0, -1},
+                   {1, .5, .5, 0, .5, 0, 0, 0, 0, -1},
+                   {.5, 1, .5, 0, 0, -.5, 0, 0, 0, -1},
+                   {.5, 1, .5, 0, 0, .5, 0, 0, 0, -1}}),
+             {-1, 1, -1, 1, -1, 1}, 1e-9);
+}
+
+TEST(MeetingExtent, Lens) {
+  const double r = std::sqrt(0.75);
+  expect_box(body({ball_at(.5, 0, 0, 1), ball_at(-.5, 0, 0, 1)}), {-.5, .5, -r, r, -r, r});
+}
+
+TEST(MeetingExtent, SmallLensFarAway) {
+  const double r = std::sqrt(0.75);
+  expect_box(body({ball_at(1000.5, 4000, 0, 1), ball_at(999.5, 4000, 0, 1)}),
+             {999.5, 1000.5, 4000 - r, 4000 + r, -r, r}, 1e-9);
+}
+
+// Three balls through the origin: their lens ends there, and where two of the spheres turn.
+TEST(MeetingExtent, ThreeSpheresMeetInAPoint) {
+  const double r = std::sqrt(0.5);
+  expect_box(body({ball_at(1, 0, 0, 1), ball_at(0, 1, 0, 1), ball_at(0, 0, 1, 1)}), {0, r, 0, r, 0, r});
+}
+
+// A tip in which three cylinders of radius 1 meet: (t, t, t) with 2 t^2 = 1, of which a plane through it cuts off the rest.
+TEST(MeetingExtent, TipOfThreeCylinders) {
+  const double t = std::sqrt(0.5);
+  const Extent extent = extent_of(with(body({along_x, along_y, along_z}), {plane(-1, -1, -1, 2)}));
+  EXPECT_NEAR(static_cast<double>(extent.box.low[0]), 2 - 2 * t, 1e-12);
+}
+
+TEST(MeetingExtent, BallWithAHoleThroughIt) {
+  const double h = std::sqrt(0.75);
+  expect_box(body({ball}, {{1, 1, 0, 0, 0, 0, 0, 0, 0, -.25}}), {-1, 1, -1, 1, -h, h});
+}
+
+TEST(MeetingExtent, BetweenTheSheetsOfAHyperboloid) {
+  // z^2 <= x^2 / 4 + y^2 + 1 in the cylinder x^2 + y^2 <= 4
+  const double h = std::sqrt(5.0);
+  expect_box(body({{-.25, -1, 1, 0, 0, 0, 0, 0, 0, -1}, {1, 1, 0, 0, 0, 0, 0, 0, 0, -4}}), {-2, 2, -2, 2, -h, h});
+}
+
+TEST(MeetingExtent, ConeCutByABall) {
+  const double r = std::sqrt(0.5);
+  const std::vector<Side> both = body({ball, {1, 1, -1, 0, 0, 0, 0, 0, 0, 0}});
+  expect_box(both, {-r, r, -r, r, -1, 1});
+  expect_box(with(both, {plane(0, 0, -1, 0)}), {-r, r, -r, r, 0, 1});
+}
+
+// They meet in circles of constant z.
+TEST(MeetingExtent, ConeInACylinder) {
+  expect_box(body({{1, 1, 0, 0, 0, 0, 0, 0, 0, -1}, {-1, -1, 1, 0, 0, 0, 0, 0, 0, 0}}), {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, ParaboloidUnderACone) {
+  // z >= x^2 + y^2 and z <= 1 - |(x, y)| / 2 as (z - 1)^2 >= ..., z <= 1: they meet at r^2 = 1 - r / 2
+  const double r = (std::sqrt(4.25) - .5) / 2;
+  expect_box(with(body({{1, 1, 0, 0, 0, 0, 0, 0, -.5, 0}, {.25, .25, -1, 0, 0, 0, 0, 0, 1, -1}}), {plane(0, 0, 1, -1)}),
+             {-r, r, -r, r, 0, 1});
+}
+
+TEST(MeetingExtent, TouchingSpheresLeaveAPoint) {
+  expect_box(body({ball, ball_at(2, 0, 0, 1)}), {1, 1, 0, 0, 0, 0}, 1e-5);
+}
+
+TEST(MeetingExtent, OneBallInsideTheOther) { expect_box(body({ball, ball_at(.25, 0, 0, 3)}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, ApartIsEmpty) { EXPECT_TRUE(extent_of(body({ball, ball_at(2.001, 0, 0, 1)})).empty); }
+
+TEST(MeetingExtent, SharedPlaneOfTwoPairs) {
+  // x y <= 0, x z <= 0 in a ball
+  expect_box(body({ball, {0, 0, 0, .5, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, .5, 0, 0, 0, 0}}), {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, EqualQuadrics) { expect_box(body({ball, ball, along_x}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, TurnedWithItsSurfaces) {
+  for (const char* degrees : {"0", "30", "45", "33", "90"}) {
+    const Extent lens = extent_of(turned(body({ball_at(.5, 0, 0, 1), ball_at(-.5, 0, 0, 1)}), degrees));
+    ASSERT_FALSE(lens.empty || lens.unbounded);
+    // Along x the points of the cap that turns there, or of the rim.
+    const double t = std::stod(degrees) * 3.14159265358979323846 / 180;
+    const double along = std::abs(std::cos(t));
+    const double expected = along > .5 * 1.0000001 + .36602540378443864 ? 0 : 0;
+    (void)expected;
+    const double rim = std::sqrt(.75) * std::abs(std::sin(t));
+    const double cap = along >= .5 ? 1 - .5 * along : 0;
+    const bool cap_counts = along >= .5;  // the cap's own turning point lies on it
+    EXPECT_NEAR(static_cast<double>(lens.box.high[0]), cap_counts ? cap : rim, 1e-12) << degrees;
+  }
+}
+
+TEST(MeetingExtent, WithoutEnd) {
+  const Coefficients cone{1, 1, -1, 0, 0, 0, 0, 0, 0, 0};
+  const Coefficients narrow{4, 4, -1, 0, 0, 0, 0, 0, 0, 0};
+  const Coefficients beside{1, 1, 0, 0, 0, 0, -.5, 0, 0, -1};
+  for (const auto& sides : {body({cone}, {narrow}), body({along_z, beside}), body({along_z}, {beside}),
+                            body({{1, 0, 0, 0, 0, 0, 0, 0, -.5, 0}, ball}, {}), body({}, {ball, along_z})}) {
+    const bool has_ball = sides.size() == 2 && sides[1].shape.c[2] == 1 && !sides[1].complement;
+    EXPECT_EQ(extent_of(sides).unbounded, !has_ball);
+    EXPECT_EQ(extent_of(turned(sides, "33")).unbounded, !has_ball);
+  }
+}
+
+TEST(MeetingExtent, TheMeetingIsTheOnlyEnd) {
+  // Cylinders of different radius, turned, and a cone closed by another one upside down.
+  expect_box(body({along_x, {1, 0, 1, 0, 0, 0, 0, 0, 0, -.25}}), {-.5, .5, -1, 1, -.5, .5});
+  const std::vector<Side> cones = with(body({{1, 1, -1, 0, 0, 0, 0, 0, -1, -1}, {1, 1, -1, 0, 0, 0, 0, 0, 1, -1}}),
+                                       {plane(0, 0, 1, -1), plane(0, 0, -1, -1)});
+  expect_box(cones, {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, SlackIsKept) {
+  const std::vector<Side> sides = turned(body({along_x, along_y, along_z}), "33");
+  const Extent exact = extent_of(sides);
+  for (const double slack : {.25, .01, .0001}) {
+    const Extent near = extent_of(sides, slack);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_TRUE(near.box.high[i] >= exact.box.high[i] && near.box.high[i] <= exact.box.high[i] + slack);
+      EXPECT_TRUE(near.box.low[i] <= exact.box.low[i] && near.box.low[i] >= exact.box.low[i] - slack);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace halfspace
