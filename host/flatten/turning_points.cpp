@@ -81,7 +81,7 @@ class TurningPoints::SpacePolynomial {
     return without(slope);
   }
 
-  // Of one in u alone.
+  // Of one in u alone, each root once: crossings of a projection are double zeros of its discriminant.
   [[nodiscard]] Polynomial in_u() const {
     Polynomial result;
     if (is_zero()) return result;
@@ -93,7 +93,7 @@ class TurningPoints::SpacePolynomial {
       fmpz_get_mpz(result[fmpz_mpoly_get_term_var_exp_ui(p_, i, 0, space())].get_mpz_t(), c);
     }
     fmpz_clear(c);
-    return result;
+    return degree(result) > 1 ? squarefree_part(result) : result;
   }
 
   // Where its roots in v meet or run to infinity.
