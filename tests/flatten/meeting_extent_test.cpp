@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <string>
@@ -161,15 +162,11 @@ TEST(MeetingExtent, TurnedWithItsSurfaces) {
   for (const char* degrees : {"0", "30", "45", "33", "90"}) {
     const Extent lens = extent_of(turned(body({ball_at(.5, 0, 0, 1), ball_at(-.5, 0, 0, 1)}), degrees));
     ASSERT_FALSE(lens.empty || lens.unbounded);
-    // Along x the points of the cap that turns there, or of the rim.
     const double t = std::stod(degrees) * 3.14159265358979323846 / 180;
     const double along = std::abs(std::cos(t));
-    const double expected = along > .5 * 1.0000001 + .36602540378443864 ? 0 : 0;
-    (void)expected;
+    const double cap = 1 - .5 * along;  // where the ball that ends there turns, if that lies in the other
     const double rim = std::sqrt(.75) * std::abs(std::sin(t));
-    const double cap = along >= .5 ? 1 - .5 * along : 0;
-    const bool cap_counts = along >= .5;  // the cap's own turning point lies on it
-    EXPECT_NEAR(static_cast<double>(lens.box.high[0]), cap_counts ? cap : rim, 1e-12) << degrees;
+    EXPECT_NEAR(static_cast<double>(lens.box.high[0]), along >= .5 ? cap : rim, 1e-12) << degrees;
   }
 }
 
@@ -203,6 +200,94 @@ TEST(MeetingExtent, SlackIsKept) {
       EXPECT_TRUE(near.box.low[i] <= exact.box.low[i] && near.box.low[i] >= exact.box.low[i] - slack);
     }
   }
+}
+
+// --- Random bodies against sampling.
+
+struct RandomMeeting {
+  std::vector<Side> sides;
+
+  explicit RandomMeeting(std::uint64_t seed) {
+    oracle::Dice dice(seed);
+    sides.push_back(quadric(ball_at(0, 0, 0, 2), 0));
+    for (std::int64_t n = dice.between(1, 3); n > 0; --n) {
+      Coefficients c{};
+      for (double& v : c) v = static_cast<double>(dice.between(-2, 2));
+      sides.push_back(quadric(c, sides.size(), dice.chance(50)));
+    }
+    if (dice.chance(40)) sides.push_back(plane(1, static_cast<double>(dice.between(-2, 2)), .5, -.25));
+    if (dice.chance(30)) sides = turned(std::move(sides), "33");
+  }
+
+  [[nodiscard]] bool holds(const std::array<double, 3>& p) const {
+    for (const Side& side : sides) {
+      const auto& c = side.shape.c;
+      double value = 0;
+      if (side.shape.kind == HalfSpaceKind::plane) {
+        value = static_cast<double>(c[3]);
+        for (std::size_t i = 0; i < 3; ++i) value += static_cast<double>(c[i]) * p[i];
+      } else {
+        value = static_cast<double>(c[9]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          value += 2 * static_cast<double>(c[6 + i]) * p[i];
+          for (std::size_t j = 0; j < 3; ++j) value += static_cast<double>(c[quadric_index[i][j]]) * p[i] * p[j];
+        }
+      }
+      if (side.complement ? value < 0 : value > 0) return false;
+    }
+    return true;
+  }
+};
+
+// The furthest of some points, and of what small steps from them reach.
+double climb(const RandomMeeting& body, const std::vector<std::array<double, 3>>& points, std::size_t axis, double sign,
+             oracle::Dice& dice) {
+  double best = -4;
+  std::vector<std::array<double, 3>> starts = points;
+  const auto further = [&](const auto& a, const auto& b) { return sign * a[axis] > sign * b[axis]; };
+  std::sort(starts.begin(), starts.end(), further);
+  starts.resize(std::min<std::size_t>(starts.size(), 4));
+  for (std::array<double, 3> p : starts) {
+    for (double step = .1; step > 1e-5; step *= .97) {
+      for (int n = 0; n < 12; ++n) {
+        std::array<double, 3> q = p;
+        for (double& v : q) v += step * static_cast<double>(dice.between(-1000, 1000)) / 1000;
+        if (further(q, p) && body.holds(q)) p = q;
+      }
+    }
+    best = std::max(best, sign * p[axis]);
+  }
+  return best;
+}
+
+TEST(MeetingExtent, HoldsAndTouchesRandomBodies) {
+  int ends = 0, touched = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const RandomMeeting random(seed);
+    const Extent extent = extent_of(random.sides);
+    EXPECT_FALSE(extent.unbounded) << seed;
+    oracle::Dice dice(seed);
+    std::vector<std::array<double, 3>> points;
+    for (int n = 0; n < 20000; ++n) {
+      std::array<double, 3> p{};
+      for (double& v : p) v = static_cast<double>(dice.between(-20000, 20000)) / 10000;
+      if (random.holds(p)) points.push_back(p);
+    }
+    if (points.empty()) continue;
+    ASSERT_FALSE(extent.empty) << seed;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double reached = climb(random, points, axis, sign, dice);
+        const double end = sign * static_cast<double>(sign > 0 ? extent.box.high[axis] : extent.box.low[axis]);
+        EXPECT_LE(reached, end + 1e-12) << "seed " << seed << " axis " << axis << " sign " << sign;
+        ++ends;
+        touched += reached > end - .002 ? 1 : 0;
+        if (reached <= end - .002)
+          std::printf("seed %d axis %zu sign %g: %.6f < %.6f\n", int(seed), axis, sign, reached, end);
+      }
+    }
+  }
+  EXPECT_GE(touched, ends * 98 / 100) << "of " << ends;
 }
 
 }  // namespace
