@@ -65,6 +65,17 @@ Real size_told(std::span<const Side> sides) {
   return size == 0 ? Real(1) : size;
 }
 
+// The part's middle is rounded, so that simple numbers stay simple.
+Frame frame_around(const Cell& part, const Frame& frame, Real least_size) {
+  Frame closer;
+  for (std::size_t i = 0; i < 3; ++i) {
+    closer.size[i] = larger(power_above(part.half[i] * frame.size[i] * Real(1.0625)), least_size);
+    const Real unit = closer.size[i] / 16;
+    closer.centre[i] = nearest_whole((frame.centre[i] + part.middle[i] * frame.size[i]) / unit) * unit;
+  }
+  return closer;
+}
+
 // Shrunk to the part that the body can be in, until it fits; none where there is no body.
 std::optional<Frame> frame_of(std::span<const Side> sides, Real told, Cell& part) {
   const Real reach = told * power_of_two(endless_bits);
@@ -76,15 +87,9 @@ std::optional<Frame> frame_of(std::span<const Side> sides, Real told, Cell& part
     const auto found = part_with_body(bounds, {{0, 0, 0}, {1, 1, 1}});
     if (!found) return std::nullopt;
     part = *found;
-    bool fits = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Real size = frame.size[i];
-      frame.size[i] = larger(power_above(part.half[i] * size * Real(1.0625)), told * power_of_two(-least_bits));
-      fits = fits && frame.size[i] == size;
-      const Real step_of_centre = frame.size[i] / 16;
-      frame.centre[i] = nearest_whole((frame.centre[i] + part.middle[i] * size) / step_of_centre) * step_of_centre;
-    }
-    if (fits) break;
+    const Frame closer = frame_around(part, frame, told * power_of_two(-least_bits));
+    if (closer.size == frame.size) break;
+    frame = closer;
   }
   return frame;
 }

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <queue>
 
 namespace halfspace {
 namespace {
 
-constexpr int grid = 4;             // cells a side, in the search for the part with the body
-constexpr int most_grids = 200;     // each shrinks some side by a quarter: 2^60 in all
+constexpr int most_cells = 1200;    // in one step of the search for the part with the body
+constexpr int most_steps = 200;     // each shrinks some side by a quarter: 2^60 in all
 constexpr int most_halvings = 600;  // of a search outwards
 constexpr double shrunk = 0.76;
 
@@ -38,29 +39,66 @@ double outer_end(const Cell& cell, std::size_t i, double sign) {
   return cell.middle[i] + sign * cell.half[i] * (1 + 0x1p-50);
 }
 
-// Around the cells of a grid that are not dropped.
-std::optional<Cell> around_grid(std::span<const BoundForm> forms, const Cell& whole) {
-  std::array<double, 3> low{}, high{};
-  bool is_empty = true;
-  Cell cell;
-  for (std::size_t i = 0; i < 3; ++i) cell.half[i] = whole.half[i] / grid * (1 + 0x1p-40);  // neighbours overlap
-  for (int n = 0; n < grid * grid * grid; ++n) {
-    const std::array<int, 3> place{n % grid, n / grid % grid, n / (grid * grid)};
+std::array<Cell, 8> eighths(const Cell& cell) {
+  std::array<Cell, 8> parts;
+  for (std::size_t n = 0; n < 8; ++n) {
     for (std::size_t i = 0; i < 3; ++i) {
-      cell.middle[i] = whole.middle[i] + (2 * place[i] + 1 - grid) * (whole.half[i] / grid);
+      const double quarter = cell.half[i] / 2;
+      parts[n].half[i] = quarter * (1 + 0x1p-40);  // neighbours overlap
+      parts[n].middle[i] = cell.middle[i] + ((n >> i & 1U) != 0 ? quarter : -quarter);
     }
-    if (!may_hold(forms, cell)) continue;
+  }
+  return parts;
+}
+
+// Around the cells that are not dropped. Those in the core, of half the size, are not split: if nothing is left of the others, the core
+// is the next whole, and directions in which a body nearly has no end are told apart as finely at every size.
+class Surroundings {
+ public:
+  Surroundings(std::span<const BoundForm> forms, const Cell& whole) : forms_(forms), whole_(whole) {
+    std::deque<Cell> open{whole};
+    for (int n = 0; !open.empty(); ++n) {
+      const Cell cell = open.front();
+      open.pop_front();
+      if (!may_hold(forms_, cell)) continue;
+      if (n >= most_cells || is_in_core(cell)) {
+        add(cell);
+      } else {
+        for (const Cell& part : eighths(cell)) open.push_back(part);
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<Cell> hull() const {
+    if (is_empty_) return std::nullopt;
+    return cell_between(low_, high_);
+  }
+
+ private:
+  [[nodiscard]] bool is_in_core(const Cell& cell) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double core = whole_.half[i] / 2 * (1 + 0x1p-30);
+      if (outer_end(cell, i, -1) < whole_.middle[i] - core || outer_end(cell, i, 1) > whole_.middle[i] + core)
+        return false;
+    }
+    return true;
+  }
+
+  void add(const Cell& cell) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double a = outer_end(cell, i, -1);
       const double b = outer_end(cell, i, 1);
-      low[i] = is_empty ? a : std::min(low[i], a);
-      high[i] = is_empty ? b : std::max(high[i], b);
+      low_[i] = is_empty_ ? a : std::min(low_[i], a);
+      high_[i] = is_empty_ ? b : std::max(high_[i], b);
     }
-    is_empty = false;
+    is_empty_ = false;
   }
-  if (is_empty) return std::nullopt;
-  return cell_between(low, high);
-}
+
+  std::span<const BoundForm> forms_;
+  const Cell& whole_;
+  std::array<double, 3> low_{}, high_{};
+  bool is_empty_ = true;
+};
 
 class Search {
  public:
@@ -147,8 +185,8 @@ class Search {
 
 std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole) {
   Cell cell = whole;
-  for (int n = 0; n < most_grids; ++n) {
-    const auto part = around_grid(forms, cell);
+  for (int n = 0; n < most_steps; ++n) {
+    const auto part = Surroundings(forms, cell).hull();
     if (!part) return std::nullopt;
     bool has_shrunk = false;
     for (std::size_t i = 0; i < 3; ++i) {
