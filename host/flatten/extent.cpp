@@ -359,8 +359,14 @@ bool may_have_meeting_quadrics(std::span<const Side> sides) {
 }  // namespace
 
 Extent extent_of(std::span<const Side> sides, Real slack) {
-  const Extent found = Search(sides).run();
-  return may_have_meeting_quadrics(sides) ? meeting_extent(sides, found, slack) : found;
+  if (may_have_meeting_quadrics(sides)) {
+    Extent extent = meeting_extent(sides, slack);
+    if (!extent.unbounded) return extent;
+    extent = Search(sides).run();
+    extent.unbounded = true;
+    return extent;
+  }
+  return Search(sides).run();
 }
 
 Box around(const Box& a, const Box& b) {

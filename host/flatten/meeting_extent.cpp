@@ -28,6 +28,7 @@ Real power_above(Real v) {
   return power;
 }
 
+// Negative inside, moved outwards.
 std::vector<RealHalfSpace> in_frame(std::span<const Side> sides, const Frame& frame) {
   Matrix4 matrix{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -41,6 +42,8 @@ std::vector<RealHalfSpace> in_frame(std::span<const Side> sides, const Frame& fr
     if (side.complement) {
       for (Real& v : h.c) v = -v;
     }
+    const Real share = 1 + Real(result.size()) / 32;
+    h.c[h.kind == HalfSpaceKind::plane ? 3 : 9] -= share * power_of_two(-outward_bits);
     result.push_back(h);
   }
   return result;
@@ -76,28 +79,37 @@ Frame frame_around(const Cell& part, const Frame& frame, Real least_size) {
   return closer;
 }
 
-// Shrunk to the part that the body can be in, until it fits; none where there is no body.
-std::optional<Frame> frame_of(std::span<const Side> sides, Real told, Cell& part) {
-  const Real reach = told * power_of_two(endless_bits);
-  Frame frame{{0, 0, 0}, {reach, reach, reach}};
+// A body and the part of its frame that it can be in.
+struct FramedBody {
+  Frame frame;
+  std::vector<RealHalfSpace> shapes;
+  std::vector<BoundForm> bounds;
+  Cell part{{0, 0, 0}, {1, 1, 1}};
+};
+
+// The frame shrunk until the part fills it; none where there is no body.
+std::optional<FramedBody> framed(std::span<const Side> sides, const Frame& whole, Real told) {
+  FramedBody body{whole, {}, {}, {}};
   constexpr int most_steps = 8;
   for (int step = 0; step < most_steps; ++step) {
-    std::vector<BoundForm> bounds;
-    for (const RealHalfSpace& h : in_frame(sides, frame)) bounds.emplace_back(h);
-    const auto found = part_with_body(bounds, {{0, 0, 0}, {1, 1, 1}});
-    if (!found) return std::nullopt;
-    part = *found;
-    const Frame closer = frame_around(part, frame, told * power_of_two(-least_bits));
-    if (closer.size == frame.size) break;
-    frame = closer;
+    body.shapes = in_frame(sides, body.frame);
+    body.bounds.clear();
+    for (const RealHalfSpace& h : body.shapes) body.bounds.emplace_back(h);
+    const bool is_far = largest(body.frame.size) > told * 64;
+    const auto part = part_with_body(body.bounds, {{0, 0, 0}, {1, 1, 1}}, is_far);
+    if (!part) return std::nullopt;
+    body.part = *part;
+    const Frame closer = frame_around(body.part, body.frame, told * power_of_two(-least_bits));
+    if (closer.size == body.frame.size || step + 1 == most_steps) break;
+    body.frame = closer;
   }
-  return frame;
+  return body;
 }
 
 mpz_class whole(Real v, int bits) { return round_to_integer(v * power_of_two(bits)); }
 
-// Turned so that u is the axis, v and w across it and in no special direction, and moved outwards by the number's part.
-SliceForm slice_form(const RealHalfSpace& h, std::size_t axis, std::size_t number) {
+// Turned so that u is the axis, v and w across it and in no special direction.
+SliceForm slice_form(const RealHalfSpace& h, std::size_t axis) {
   constexpr std::array<std::array<int, 4>, 4> turn{{{1, 0, 0, 0}, {0, 1, 2, 0}, {0, -2, 3, 0}, {0, 0, 0, 1}}};
   const std::array<std::size_t, 4> place{axis, (axis + 1) % 3, (axis + 2) % 3, 3};
   std::array<std::array<mpz_class, 4>, 4> m;
@@ -115,7 +127,6 @@ SliceForm slice_form(const RealHalfSpace& h, std::size_t axis, std::size_t numbe
       m[i][j] = whole(entry, form_bits + 1);
     }
   }
-  m[3][3] -= (mpz_class(32) + number) << (form_bits + 1 - outward_bits - 5);
   const auto entry = [&](std::size_t i, std::size_t j) {
     mpz_class sum = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -133,22 +144,29 @@ SliceForm slice_form(const RealHalfSpace& h, std::size_t axis, std::size_t numbe
 
 mpz_class position_of(double v) { return whole(Real(v), position_bits); }
 
-// The ends of a body along one axis, in its frame.
-class AxisEnds {
+// A body along one axis of its frame.
+class AxisSearch {
  public:
-  AxisEnds(const std::vector<RealHalfSpace>& shapes, const std::vector<BoundForm>& bounds, const Cell& part,
-           std::size_t axis)
-      : shapes_(shapes), bounds_(bounds), part_(part), axis_(axis) {}
+  AxisSearch(const FramedBody& body, std::size_t axis) : body_(body), axis_(axis) {}
 
   // The body's last position in the direction of `sign`; none where it has no point.
-  [[nodiscard]] std::optional<Real> end(double sign, std::optional<double> known, double slack) {
-    constexpr double none = -std::numeric_limits<double>::infinity();
-    const Outermost outer = search_outwards(bounds_, part_, axis_, sign, known ? sign * *known : none, slack);
-    if (!(outer.bound > outer.known)) return outer.known == none ? std::optional<Real>() : Real(sign * outer.known);
-    if (outer.bound - outer.known <= slack) return Real(sign * outer.bound);
-    const double inner = std::max(outer.known, sign * part_.middle[axis_] - part_.half[axis_] * 1.001);
-    if (const auto exact = last_plane(sign, inner, outer)) return exact;
-    return outer.known == none ? std::optional<Real>() : Real(sign * outer.known);
+  [[nodiscard]] std::optional<Real> end(double sign, double slack) {
+    const Cell& part = body_.part;
+    const Outermost outer = search_outwards(body_.bounds, part, axis_, sign, slack);
+    const bool is_known = std::isfinite(outer.known);
+    if (outer.bound > outer.known) {
+      if (outer.bound - outer.known <= slack) return Real(sign * outer.bound);
+      const double inner = is_known ? outer.known : sign * part.middle[axis_] - part.half[axis_] * (1 + 0x1p-30);
+      if (const auto exact = last_plane(sign, inner, outer)) return exact;
+    }
+    return is_known ? std::optional(Real(sign * outer.known)) : std::nullopt;
+  }
+
+  // Has the body a point in this plane? Boxes first, then integers.
+  [[nodiscard]] bool has_section_at(double at) {
+    if (const auto quick = meets_plane(body_.bounds, body_.part, axis_, at)) return *quick;
+    prepare();
+    return meets_plane(forms_, Dyadic{position_of(at), position_bits});
   }
 
  private:
@@ -164,15 +182,22 @@ class AxisEnds {
     RootGaps gaps(marks, position_of(low), position_of(high));
     for (std::size_t n = 0; n < gaps.count(); ++n) {
       const std::size_t i = sign > 0 ? gaps.count() - 1 - n : n;
-      if (gaps.is_empty(i) || !meets_plane(forms_, gaps.inside(i))) continue;
+      if (gaps.is_empty(i) || !has_section_in(gaps, i)) continue;
       return simple(sign > 0 ? gaps.high_end(i) : gaps.low_end(i));
     }
     return std::nullopt;
   }
 
+  // One plane tells, whichever: one that doubles can name, if there is one.
+  [[nodiscard]] bool has_section_in(const RootGaps& gaps, std::size_t gap) {
+    const Dyadic u = gaps.inside(gap);
+    const double near = std::ldexp(u.number.get_d(), -static_cast<int>(u.shift));
+    return gaps.holds(gap, position_of(near)) ? has_section_at(near) : meets_plane(forms_, u);
+  }
+
   void prepare() {
     if (turning_) return;
-    for (std::size_t i = 0; i < shapes_.size(); ++i) forms_.push_back(slice_form(shapes_[i], axis_, i));
+    for (const RealHalfSpace& h : body_.shapes) forms_.push_back(slice_form(h, axis_));
     turning_ = std::make_unique<TurningPoints>(forms_);
   }
 
@@ -182,45 +207,72 @@ class AxisEnds {
     return to_real(result) * power_of_two(-end_bits);
   }
 
-  const std::vector<RealHalfSpace>& shapes_;
-  const std::vector<BoundForm>& bounds_;
-  const Cell& part_;
+  const FramedBody& body_;
   std::size_t axis_;
   std::vector<SliceForm> forms_;
   std::unique_ptr<TurningPoints> turning_;
 };
 
+// Does it pass through the planes at this distance from the origin?
+bool reaches(const FramedBody& body, Real distance) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const int sign : {-1, 1}) {
+      const auto at = static_cast<double>((sign * distance - body.frame.centre[axis]) / body.frame.size[axis]);
+      if (std::abs(at - body.part.middle[axis]) > body.part.half[axis]) continue;
+      if (AxisSearch(body, axis).has_section_at(at)) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Box> box_of(const FramedBody& body, Real slack) {
+  Box box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    AxisSearch search(body, axis);
+    const Real size = body.frame.size[axis];
+    const auto low = search.end(-1, static_cast<double>(slack / size));
+    const auto high = low ? search.end(1, static_cast<double>(slack / size)) : std::nullopt;
+    if (!high) return std::nullopt;
+    box.low[axis] = body.frame.centre[axis] + *low * size;
+    box.high[axis] = body.frame.centre[axis] + *high * size;
+  }
+  return box;
+}
+
+Frame frame_around(const Box& box, Real least_size) {
+  const Frame unit{{0, 0, 0}, {1, 1, 1}};
+  Cell cell;
+  for (std::size_t i = 0; i < 3; ++i) {
+    cell.middle[i] = static_cast<double>((box.low[i] + box.high[i]) / 2);
+    cell.half[i] = static_cast<double>((box.high[i] - box.low[i]) / 2 + magnitude(box.low[i]) * power_of_two(-50));
+  }
+  return frame_around(cell, unit, least_size);
+}
+
+bool is_much_smaller(const Frame& a, const Frame& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (a.size[i] * 8 <= b.size[i]) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-Extent meeting_extent(std::span<const Side> sides, const Extent& found, Real slack) {
+Extent meeting_extent(std::span<const Side> sides, Real slack) {
   const Real told = power_above(size_told(sides));
-  const Real endless = told * power_of_two(endless_bits - 1);
-  Cell part;
-  const auto frame = frame_of(sides, told, part);
-  if (!frame) return found.empty ? Extent{} : Extent{false, false, found.box};
-  const std::vector<RealHalfSpace> shapes = in_frame(sides, *frame);
-  std::vector<BoundForm> bounds;
-  for (const RealHalfSpace& h : shapes) bounds.emplace_back(h);
-
-  Extent result;
-  result.empty = false;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    AxisEnds ends(shapes, bounds, part, axis);
-    const Real size = frame->size[axis];
-    const auto end_in = [&](double sign, Real known) {
-      std::optional<double> start;
-      if (!found.empty) start = static_cast<double>((known - frame->centre[axis]) / size);
-      const auto end = ends.end(sign, start, static_cast<double>(slack / size));
-      if (!end) return false;
-      const Real at = frame->centre[axis] + *end * size;
-      (sign > 0 ? result.box.high : result.box.low)[axis] = at;
-      if (magnitude(at) > endless) result.unbounded = true;
-      return true;
-    };
-    if (!end_in(-1, found.box.low[axis]) || !end_in(1, found.box.high[axis]))
-      return found.empty ? Extent{} : Extent{false, false, found.box};
+  const Real reach = told * power_of_two(endless_bits);
+  Frame frame{{0, 0, 0}, {reach, reach, reach}};
+  constexpr int most_frames = 4;
+  for (int n = 1;; ++n) {
+    const auto body = framed(sides, frame, told);
+    if (!body) return {};
+    if (reaches(*body, reach / 2)) return {true, true, {}};
+    const auto box = box_of(*body, slack);
+    if (!box) return {};
+    frame = frame_around(*box, told * power_of_two(-least_bits));
+    // In one that is too large surfaces have been moved too far.
+    if (n == most_frames || !is_much_smaller(frame, body->frame)) return {false, false, *box};
   }
-  return result;
 }
 
 }  // namespace halfspace

@@ -8,14 +8,14 @@
 //          come apart, so that no degenerate case is left. The box holds the body. It is too large by some 2^-80 of its size where
 //          surfaces cross, by 2^-40 or 2^-20 where they touch; an end is moved to a multiple of 2^-60 of the size, so that a simple
 //          number stays simple.
-// Endless  Is what reaches beyond 2^30 times the size that the coefficients tell.
+// Endless  Is what passes 2^29 times the size that the coefficients tell.
 #pragma once
 
 #include "host/flatten/extent.hpp"
 
 namespace halfspace {
 
-// `found`: what is known to belong to the body. A side is good enough when it is no further off than `slack`.
-[[nodiscard]] Extent meeting_extent(std::span<const Side> sides, const Extent& found, Real slack);
+// A side is good enough when it is no further off than `slack`. Of a body without end no box is found.
+[[nodiscard]] Extent meeting_extent(std::span<const Side> sides, Real slack);
 
 }  // namespace halfspace

@@ -8,7 +8,9 @@
 namespace halfspace {
 namespace {
 
-constexpr int most_cells = 1200;    // in one step of the search for the part with the body
+constexpr int few_cells = 150;      // in one step of the search for the part with the body
+constexpr int many_cells = 1500;    // in one that fails with few
+constexpr int most_cells = 300;     // of a plane
 constexpr int most_steps = 200;     // each shrinks some side by a quarter: 2^60 in all
 constexpr int most_halvings = 600;  // of a search outwards
 constexpr double shrunk = 0.76;
@@ -39,15 +41,13 @@ double outer_end(const Cell& cell, std::size_t i, double sign) {
   return cell.middle[i] + sign * cell.half[i] * (1 + 0x1p-50);
 }
 
-std::array<Cell, 8> eighths(const Cell& cell) {
-  std::array<Cell, 8> parts;
-  for (std::size_t n = 0; n < 8; ++n) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double quarter = cell.half[i] / 2;
-      parts[n].half[i] = quarter * (1 + 0x1p-40);  // neighbours overlap
-      parts[n].middle[i] = cell.middle[i] + ((n >> i & 1U) != 0 ? quarter : -quarter);
-    }
-  }
+// They overlap.
+std::array<Cell, 2> halves(const Cell& cell, std::size_t i) {
+  std::array<Cell, 2> parts{cell, cell};
+  const double quarter = cell.half[i] / 2;
+  parts[0].half[i] = parts[1].half[i] = quarter * (1 + 0x1p-40);
+  parts[0].middle[i] -= quarter;
+  parts[1].middle[i] += quarter;
   return parts;
 }
 
@@ -55,16 +55,20 @@ std::array<Cell, 8> eighths(const Cell& cell) {
 // is the next whole, and directions in which a body nearly has no end are told apart as finely at every size.
 class Surroundings {
  public:
-  Surroundings(std::span<const BoundForm> forms, const Cell& whole) : forms_(forms), whole_(whole) {
+  Surroundings(std::span<const BoundForm> forms, const Cell& whole, int cells) : forms_(forms), whole_(whole) {
     std::deque<Cell> open{whole};
     for (int n = 0; !open.empty(); ++n) {
       const Cell cell = open.front();
       open.pop_front();
       if (!may_hold(forms_, cell)) continue;
-      if (n >= most_cells || is_in_core(cell)) {
+      if (n >= cells || is_in_core(cell)) {
         add(cell);
       } else {
-        for (const Cell& part : eighths(cell)) open.push_back(part);
+        for (const Cell& half : halves(cell, 0)) {
+          for (const Cell& quarter : halves(half, 1)) {
+            for (const Cell& eighth : halves(quarter, 2)) open.push_back(eighth);
+          }
+        }
       }
     }
   }
@@ -100,21 +104,30 @@ class Surroundings {
   bool is_empty_ = true;
 };
 
+// Sides that are longer than those of the part. Is one of them much longer?
+bool shrink(Cell& cell, const Cell& part) {
+  bool has_shrunk = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    has_shrunk = has_shrunk || part.half[i] < shrunk * cell.half[i];
+    if (!(part.half[i] < cell.half[i])) continue;
+    cell.half[i] = part.half[i];
+    cell.middle[i] = part.middle[i];
+  }
+  return has_shrunk;
+}
+
 class Search {
  public:
-  Search(std::span<const BoundForm> forms, std::size_t axis, double sign, double known)
-      : forms_(forms), axis_(axis), sign_(sign) {
-    result_.known = known;
-  }
+  Search(std::span<const BoundForm> forms, std::size_t axis, double sign) : forms_(forms), axis_(axis), sign_(sign) {}
 
   Outermost run(const Cell& whole, double slack) {
     Open first{whole, {}, 0};
     for (std::uint32_t i = 0; i < forms_.size(); ++i) first.doubtful.push_back(i);
     offer(std::move(first));
     for (int n = 0; n < most_halvings && is_open(slack); ++n) {
-      Open outer = open_.top();
+      const Open outer = open_.top();
       open_.pop();
-      halve(std::move(outer));
+      halve(outer);
     }
     collect();
     return std::move(result_);
@@ -123,16 +136,10 @@ class Search {
  private:
   [[nodiscard]] bool is_open(double slack) const { return !open_.empty() && open_.top().top > result_.known + slack; }
 
-  void halve(Open open) {
+  void halve(const Open& open) {
     const auto& h = open.cell.half;
     const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
-    Open other = open;
-    const double quarter = open.cell.half[longest] / 2;
-    open.cell.half[longest] = other.cell.half[longest] = quarter * (1 + 0x1p-40);
-    open.cell.middle[longest] -= quarter;
-    other.cell.middle[longest] += quarter;
-    offer(std::move(open));
-    offer(std::move(other));
+    for (const Cell& half : halves(open.cell, longest)) offer({half, open.doubtful, 0});
   }
 
   void offer(Open open) {
@@ -183,27 +190,47 @@ class Search {
 
 }  // namespace
 
-std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole) {
+std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly) {
   Cell cell = whole;
+  int cells = few_cells;
   for (int n = 0; n < most_steps; ++n) {
-    const auto part = Surroundings(forms, cell).hull();
+    const auto part = Surroundings(forms, cell, cells).hull();
     if (!part) return std::nullopt;
-    bool has_shrunk = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      has_shrunk = has_shrunk || part->half[i] < shrunk * cell.half[i];
-      if (part->half[i] < cell.half[i]) {
-        cell.half[i] = part->half[i];
-        cell.middle[i] = part->middle[i];
-      }
-    }
-    if (!has_shrunk) break;
+    const bool has_shrunk = shrink(cell, *part);
+    if (!has_shrunk && (!thoroughly || cells == many_cells)) break;
+    cells = has_shrunk ? few_cells : many_cells;
   }
   return cell;
 }
 
 Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double sign,
-                          double known, double slack) {
-  return Search(forms, axis, sign, known).run(whole, slack);
+                          double slack) {
+  return Search(forms, axis, sign).run(whole, slack);
+}
+
+std::optional<bool> meets_plane(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double at) {
+  Cell plane = whole;
+  plane.middle[axis] = at;
+  plane.half[axis] = 0;
+  std::deque<Cell> open{plane};
+  for (int n = 0; !open.empty(); ++n) {
+    if (n == most_cells) return std::nullopt;
+    const Cell cell = open.front();
+    open.pop_front();
+    bool may_hold_here = true;
+    bool middle_holds = true;
+    for (const BoundForm& f : forms) {
+      const ValueRange range = f.over(cell);
+      may_hold_here = may_hold_here && !(range.low > 0);
+      middle_holds = middle_holds && range.high_in_the_middle <= 0;
+    }
+    if (middle_holds) return true;
+    if (!may_hold_here) continue;
+    for (const Cell& part : halves(cell, (axis + 1) % 3)) {
+      for (const Cell& quarter : halves(part, (axis + 2) % 3)) open.push_back(quarter);
+    }
+  }
+  return false;
 }
 
 }  // namespace halfspace

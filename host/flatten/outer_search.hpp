@@ -16,8 +16,8 @@
 
 namespace halfspace {
 
-// The part of `whole` that the body can be in; none where there is no body.
-[[nodiscard]] std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole);
+// The part of `whole` that the body can be in; none where there is no body. `thoroughly`: with more trouble before it is left as it is.
+[[nodiscard]] std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly);
 
 using Meeting = std::vector<std::uint32_t>;  // up to three forms that may vanish together, ascending
 
@@ -31,6 +31,10 @@ struct Outermost {
 // Along `axis` (0, 1, 2) in the direction of `sign`, distances counted that way. Stops early when the two are no further apart than
 // `slack`.
 [[nodiscard]] Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis,
-                                        double sign, double known, double slack);
+                                        double sign, double slack);
+
+// Has the body a point in the plane where coordinate `axis` is `at`? None: that is not told so easily.
+[[nodiscard]] std::optional<bool> meets_plane(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis,
+                                              double at);
 
 }  // namespace halfspace

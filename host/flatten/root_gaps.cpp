@@ -21,9 +21,19 @@ int changes_within(const Polynomial& f, const mpz_class& at, int shift) {
   return sign_changes(f, at << up, (at + 1) << up, 0);
 }
 
+// At number / 2^shift.
 int sign_of(const Polynomial& f, const mpz_class& number, int shift) {
-  if (shift < 0) return sgn(value_at(f, number << static_cast<unsigned>(-shift)));
-  return sgn(scaled_value_at(f, number, mpz_class(1) << static_cast<unsigned>(shift)));
+  const mpz_class x = shift < 0 ? mpz_class(number << static_cast<unsigned>(-shift)) : number;
+  const unsigned step = shift < 0 ? 0 : static_cast<unsigned>(shift);
+  mpz_class value = 0;
+  mpz_class term;
+  unsigned up = 0;
+  for (std::size_t i = f.size(); i-- > 0; up += step) {
+    value *= x;
+    mpz_mul_2exp(term.get_mpz_t(), f[i].get_mpz_t(), up);
+    value += term;
+  }
+  return sgn(value);
 }
 
 mpz_class floor_at(const mpz_class& position, int shift) {
@@ -126,15 +136,20 @@ void RootGaps::gather() {
   roots_.clear();
 }
 
-bool RootGaps::is_empty(std::size_t gap) const {
-  const mpz_class& low = gap == 0 ? low_ : clusters_[gap - 1].high;
-  const mpz_class& high = gap == clusters_.size() ? high_ : clusters_[gap].low;
-  return high - low < 2;
+const mpz_class& RootGaps::low_of(std::size_t gap) const { return gap == 0 ? low_ : clusters_[gap - 1].high; }
+const mpz_class& RootGaps::high_of(std::size_t gap) const {
+  return gap == clusters_.size() ? high_ : clusters_[gap].low;
+}
+
+bool RootGaps::is_empty(std::size_t gap) const { return high_of(gap) - low_of(gap) < 2; }
+
+bool RootGaps::holds(std::size_t gap, const mpz_class& position) const {
+  return low_of(gap) < position && position < high_of(gap);
 }
 
 Dyadic RootGaps::inside(std::size_t gap) const {
-  const mpz_class& low = gap == 0 ? low_ : clusters_[gap - 1].high;
-  const mpz_class& high = gap == clusters_.size() ? high_ : clusters_[gap].low;
+  const mpz_class& low = low_of(gap);
+  const mpz_class& high = high_of(gap);
   for (int shift = position_bits - static_cast<int>(bits_of(mpz_class(high - low)));; ++shift) {
     const mpz_class number = floor_at(low, shift) + 1;
     const Root point{nullptr, number, shift, true};

@@ -1,5 +1,5 @@
 // root_gaps.hpp - the open intervals between the real roots of several polynomials.
-// Limit    Positions are integers in 2^-160: roots that are closer together than that count as one. Roots of any multiplicity and
+// Limit    Positions are integers in 2^-112: roots that are closer together than that count as one. Roots of any multiplicity and
 //          pairs of complex ones near the line are such clusters too; nothing need be squarefree.
 // Source   Descartes' rule of signs in Bernstein's basis, with halving.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace halfspace {
 
-inline constexpr int position_bits = 160;  // a position n is the number n / 2^160
+inline constexpr int position_bits = 112;  // a position n is the number n / 2^112
 
 // number / 2^shift.
 struct Dyadic {
@@ -30,6 +30,7 @@ class RootGaps {
   // Gap i lies between clusters i - 1 and i; the first begins, and the last ends, at the end of the range.
   [[nodiscard]] std::size_t count() const { return clusters_.size() + 1; }
   [[nodiscard]] bool is_empty(std::size_t gap) const;
+  [[nodiscard]] bool holds(std::size_t gap, const mpz_class& position) const;
   // A short number in a gap that is not empty.
   [[nodiscard]] Dyadic inside(std::size_t gap) const;
 
@@ -58,6 +59,8 @@ class RootGaps {
     mpz_class low, high;
   };
 
+  [[nodiscard]] const mpz_class& low_of(std::size_t gap) const;
+  [[nodiscard]] const mpz_class& high_of(std::size_t gap) const;
   void find(const std::vector<Polynomial>& all);
   void isolate(const Polynomial& f, const mpz_class& at, int shift);
   void separate();

@@ -1,7 +1,7 @@
 // slice.hpp - has a body a point in the plane u = c? Decided in integers.
 // Method   The plane's section is a figure bounded by conics. Between the lines v = const where a conic turns or two of them meet its
 //          structure stays the same, so one line each tells; on a line every half-space holds in at most two intervals.
-// Limit    Only what is open and wider than some 2^-160 counts: the caller has made the body that much larger.
+// Limit    Only what is open and wider than some 2^-112 counts: the caller has made the body that much larger.
 #pragma once
 
 #include <gmpxx.h>
