@@ -1,9 +1,7 @@
 #include "host/flatten/extent.hpp"
 
-#include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <utility>
 
 #include "host/flatten/extent_filter.hpp"
 #include "host/flatten/meeting_extent.hpp"
@@ -348,18 +346,10 @@ class Search {
   Extent result_;
 };
 
-bool may_have_meeting_quadrics(std::span<const Side> sides) {
-  std::optional<std::size_t> family;
-  return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
-    if (!side.family || side.family == family) return false;
-    return std::exchange(family, side.family).has_value();
-  });
-}
-
 }  // namespace
 
 Extent extent_of(std::span<const Side> sides, Real slack) {
-  if (may_have_meeting_quadrics(sides)) {
+  if (quadrics_may_meet(sides)) {
     Extent extent = meeting_extent(sides, slack);
     if (!extent.unbounded) return extent;
     extent = Search(sides).run();

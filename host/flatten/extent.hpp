@@ -3,7 +3,7 @@
 //          plane with a quadric turns, or where a quadric itself does. At each of these points two planes and a
 //          surface meet: a curve turns along an axis where the plane of its turning points meets it, and those planes
 //          are the polar planes of the axes. So every candidate comes from the line of two planes; those that all
-//          half-spaces hold at are the body's. Curves in which two quadrics meet are not searched.
+//          half-spaces hold at are the body's. A body in which quadrics may meet goes another way (meeting_extent.hpp).
 // Cost     Cubic in the half-spaces of one body.
 #pragma once
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "host/flatten/outer_search.hpp"
 #include "host/flatten/turning_points.hpp"
@@ -13,6 +14,7 @@ constexpr int form_bits = 110;    // of coefficients in the body's frame
 constexpr int outward_bits = 80;  // 2^-80 of the terms, see above
 constexpr int end_bits = 60;
 constexpr int endless_bits = 30;
+constexpr int meeting_bits = 8;  // surfaces that come closer than 2^-8 of what is told may meet
 constexpr int least_bits =
     24;  // a frame is no smaller than 2^-24 of what is told: then 2^-80 of its terms is more than 113 bits lose
 
@@ -28,7 +30,16 @@ Real power_above(Real v) {
   return power;
 }
 
-// Negative inside, moved outwards.
+// Negative inside.
+RealHalfSpace signed_shape(const Side& side) {
+  RealHalfSpace h = side.shape;
+  if (side.complement) {
+    for (Real& v : h.c) v = -v;
+  }
+  return h;
+}
+
+// Moved outwards.
 std::vector<RealHalfSpace> in_frame(std::span<const Side> sides, const Frame& frame) {
   Matrix4 matrix{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -38,10 +49,7 @@ std::vector<RealHalfSpace> in_frame(std::span<const Side> sides, const Frame& fr
   matrix[3][3] = 1;
   std::vector<RealHalfSpace> result;
   for (const Side& side : sides) {
-    RealHalfSpace h = normalised(transformed(side.shape, matrix));
-    if (side.complement) {
-      for (Real& v : h.c) v = -v;
-    }
+    RealHalfSpace h = normalised(transformed(signed_shape(side), matrix));
     const Real share = 1 + Real(result.size()) / 32;
     h.c[h.kind == HalfSpaceKind::plane ? 3 : 9] -= share * power_of_two(-outward_bits);
     result.push_back(h);
@@ -257,6 +265,23 @@ bool is_much_smaller(const Frame& a, const Frame& b) {
 }
 
 }  // namespace
+
+bool quadrics_may_meet(std::span<const Side> sides) {
+  std::set<std::size_t> families;
+  for (const Side& side : sides) {
+    if (side.family) families.insert(*side.family);
+  }
+  if (families.size() < 2) return false;
+  std::vector<BoundForm> forms;
+  std::vector<std::optional<std::size_t>> families_of;
+  for (const Side& side : sides) {
+    forms.emplace_back(signed_shape(side));
+    families_of.push_back(side.family);
+  }
+  const auto told = static_cast<double>(power_above(size_told(sides)));
+  const double reach = std::ldexp(told, endless_bits);
+  return may_meet(forms, families_of, {{0, 0, 0}, {reach, reach, reach}}, std::ldexp(told, -meeting_bits));
+}
 
 Extent meeting_extent(std::span<const Side> sides, Real slack) {
   const Real told = power_above(size_told(sides));

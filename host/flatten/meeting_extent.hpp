@@ -15,6 +15,9 @@
 
 namespace halfspace {
 
+// Two of different families, somewhere in the body? If they do not, extent.cpp's points tell all. Cheap.
+[[nodiscard]] bool quadrics_may_meet(std::span<const Side> sides);
+
 // A side is good enough when it is no further off than `slack`. Of a body without end no box is found.
 [[nodiscard]] Extent meeting_extent(std::span<const Side> sides, Real slack);
 

@@ -203,6 +203,33 @@ std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell&
   return cell;
 }
 
+bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families, const Cell& whole,
+              double least) {
+  const auto may_meet_in = [&](const Cell& cell) {
+    std::optional<std::size_t> first;
+    bool has_two = false;
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const ValueRange range = forms[i].over(cell);
+      if (range.low > 0) return false;
+      if (!families[i] || range.high < 0) continue;
+      has_two = has_two || (first && *first != *families[i]);
+      first = families[i];
+    }
+    return has_two;
+  };
+  std::vector<Cell> open{whole};
+  for (int n = 0; !open.empty(); ++n) {
+    const Cell cell = open.back();
+    open.pop_back();
+    if (!may_meet_in(cell)) continue;
+    const auto longest =
+        static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
+    if (n == many_cells || cell.half[longest] < least) return true;
+    for (const Cell& half : halves(cell, longest)) open.push_back(half);
+  }
+  return false;
+}
+
 Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double sign,
                           double slack) {
   return Search(forms, axis, sign).run(whole, slack);
