@@ -14,7 +14,7 @@ constexpr int form_bits = 110;    // of coefficients in the body's frame
 constexpr int outward_bits = 80;  // 2^-80 of the terms, see above
 constexpr int end_bits = 60;
 constexpr int endless_bits = 30;
-constexpr int meeting_bits = 8;  // surfaces that come closer than 2^-8 of what is told may meet
+constexpr int meeting_bits = 14;  // surfaces that come closer than 2^-14 of what is told may meet
 constexpr int least_bits =
     24;  // a frame is no smaller than 2^-24 of what is told: then 2^-80 of its terms is more than 113 bits lose
 

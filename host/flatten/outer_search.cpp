@@ -8,11 +8,12 @@
 namespace halfspace {
 namespace {
 
-constexpr int few_cells = 150;      // in one step of the search for the part with the body
-constexpr int many_cells = 1500;    // in one that fails with few
-constexpr int most_cells = 300;     // of a plane
-constexpr int most_steps = 200;     // each shrinks some side by a quarter: 2^60 in all
-constexpr int most_halvings = 600;  // of a search outwards
+constexpr int few_cells = 150;       // in one step of the search for the part with the body
+constexpr int many_cells = 1500;     // in one that fails with few
+constexpr int meeting_cells = 20000;  // in the search for meetings
+constexpr int most_cells = 300;      // of a plane
+constexpr int most_steps = 200;      // each shrinks some side by a quarter: 2^60 in all
+constexpr int most_halvings = 600;   // of a search outwards
 constexpr double shrunk = 0.76;
 
 // An open box and the forms whose sign is not the same all over it.
@@ -224,7 +225,7 @@ bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<st
     if (!may_meet_in(cell)) continue;
     const auto longest =
         static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
-    if (n == many_cells || cell.half[longest] < least) return true;
+    if (n == meeting_cells || cell.half[longest] < least) return true;
     for (const Cell& half : halves(cell, longest)) open.push_back(half);
   }
   return false;
