@@ -8,12 +8,12 @@
 namespace halfspace {
 namespace {
 
-constexpr int few_cells = 150;       // in one step of the search for the part with the body
-constexpr int many_cells = 1500;     // in one that fails with few
+constexpr int few_cells = 150;        // in one step of the search for the part with the body
+constexpr int many_cells = 1500;      // in one that fails with few
 constexpr int meeting_cells = 20000;  // in the search for meetings
-constexpr int most_cells = 300;      // of a plane
-constexpr int most_steps = 200;      // each shrinks some side by a quarter: 2^60 in all
-constexpr int most_halvings = 600;   // of a search outwards
+constexpr int most_cells = 300;       // of a plane
+constexpr int most_steps = 200;       // each shrinks some side by a quarter: 2^60 in all
+constexpr int most_halvings = 600;    // of a search outwards
 constexpr double shrunk = 0.76;
 
 // An open box and the forms whose sign is not the same all over it.
@@ -210,13 +210,14 @@ bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<st
     std::optional<std::size_t> first;
     bool has_two = false;
     for (std::size_t i = 0; i < forms.size(); ++i) {
+      if (!families[i]) continue;
       const ValueRange range = forms[i].over(cell);
       if (range.low > 0) return false;
-      if (!families[i] || range.high < 0) continue;
+      if (range.high < 0) continue;
       has_two = has_two || (first && *first != *families[i]);
       first = families[i];
     }
-    return has_two;
+    return has_two && may_hold(forms, cell);
   };
   std::vector<Cell> open{whole};
   for (int n = 0; !open.empty(); ++n) {
