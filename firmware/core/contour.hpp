@@ -1,0 +1,27 @@
+// contour.hpp - shading by contours: a visible span is cut where the boundaries between levels cross it, and nothing is computed
+// per dot. Each of the ways below shades dots x0 .. x1 of line y exactly as shade_root_span does, or declines:
+//   sphere_contour    faces with |N| constant: a level is an interval about a centre, by one root
+//   straight_contour  cylinders and cones: every contour a straight line through one point of the page
+//   general_contour   any face with z^2: monotone pieces of the intensity, boundaries by certified signs
+// Order   A way that returns false has painted nothing; the caller tries the next, then goes dot by dot.
+// Exact   Positions carry a proven error; a dot within it of a boundary is asked of reaches_level.
+// Memory  FaceContours a face; ShadeJob::scratch, a word a level, shared by all faces.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/shade.hpp"
+
+namespace halfspace {
+
+// True when the face reaches level k at page dot (x, y): a filter in 64-bit mantissas, then exact arithmetic. For every k.
+[[nodiscard]] bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int32_t k);
+
+// The level of the dot, by bisection of the above: for a span's ends where nothing better is known.
+[[nodiscard]] std::int32_t level_at_dot(const ShadeJob& job, std::int32_t x, std::int32_t y);
+
+[[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
+}  // namespace halfspace
