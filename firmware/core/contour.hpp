@@ -11,8 +11,17 @@
 #include <cstdint>
 
 #include "firmware/core/shade.hpp"
+#include "firmware/core/sphere_contour.hpp"
 
 namespace halfspace {
+
+enum class ContourKind : std::uint8_t { unknown, sphere, other };
+
+// What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
+struct FaceContours {
+  ContourKind kind = ContourKind::unknown;
+  SphereContours sphere;
+};
 
 // True when the face reaches level k at page dot (x, y): a filter in 64-bit mantissas, then exact arithmetic. For every k.
 [[nodiscard]] bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int32_t k);
@@ -23,5 +32,8 @@ namespace halfspace {
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
+// The first of these ways that does not decline.
+[[nodiscard]] bool shade_by_contours(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 
 }  // namespace halfspace
