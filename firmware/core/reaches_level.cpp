@@ -4,7 +4,8 @@
 //         comes within about 2^-50 of a tie.
 // Cost    On a Cortex-M3 some 4,000 instructions, where exact arithmetic takes 100,000.
 
-#include "firmware/core/contour.hpp"
+#include "firmware/core/reaches_level.hpp"
+
 #include "firmware/core/real.hpp"
 #include "firmware/core/root_surface.hpp"
 
@@ -58,9 +59,7 @@ bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int
   return job.exact.reaches_level(face, job.lighting, job.table.levels, k, x, y);
 }
 
-std::int32_t level_at_dot(const ShadeJob& job, std::int32_t x, std::int32_t y) {
-  std::int32_t low = job.table.ambient_level;
-  std::int32_t high = job.table.top_level;
+std::int32_t level_between(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int32_t low, std::int32_t high) {
   while (low < high) {
     const std::int32_t middle = (low + high + 1) / 2;
     if (reaches_level(job, x, y, middle)) {

@@ -206,17 +206,7 @@ class SphereSpan {
     const std::int32_t ds = s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((slack / 2) / s) + 4;
     const std::int64_t level = c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32);
     const std::int32_t error = 6 + ((ds + 11) >> 5);
-    std::int32_t low = clamped((level - error) >> 16);
-    std::int32_t high = clamped((level + error) >> 16);
-    while (low < high) {
-      const std::int32_t middle = (low + high + 1) / 2;
-      if (reaches_level(job_, x, y_, middle)) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return low;
+    return level_between(job_, x, y_, clamped((level - error) >> 16), clamped((level + error) >> 16));
   }
   [[nodiscard]] std::int32_t clamped(std::int64_t level) const {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(level, job_.table.ambient_level, job_.table.top_level));

@@ -28,7 +28,7 @@ class Contours {
     painter.begin(y);
     const ShadeJob job{face.active, lighting_, table_, exact, painter, counters, 1, &contours, scratch_};
     if (by_contours) {
-      if (!shade_by_contours(job, y, run.x0, run.x1)) return {};
+      if (!all_contours.shade(job, Shader::contour, y, run.x0, run.x1)) return {};
     } else {
       shade_root_span(job, Shader::isqrt, y, run.x0, run.x1);
     }
