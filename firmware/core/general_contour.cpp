@@ -17,20 +17,32 @@ namespace {
 constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
 constexpr int place_fraction = 14;
 
-// a / b with 14 bits of fraction, to about 2^-14 of itself; at most 2^30 - 1 and of b's own sign where it is more.
+// The leading `bits` bits of a number, at most 32: value ~ top 2^shift.
+struct Leading {
+  std::uint32_t top;
+  int shift;
+
+  Leading(std::uint64_t value, int bits) : top(0), shift(static_cast<int>(std::bit_width(value)) - bits) {
+    top = static_cast<std::uint32_t>(shift >= 0 ? value >> shift : value << -shift);
+  }
+};
+
+// a / b with 14 bits of fraction, to about 2^-14 of itself, and at most 2^29 in size.
 std::int32_t quotient(std::int64_t a, std::int64_t b) {
-  constexpr std::int32_t most = (1 << 30) - 1;
+  constexpr std::int32_t most = 1 << 29;
   const bool negative = (a < 0) != (b < 0);
-  const std::uint64_t ua = static_cast<std::uint64_t>(a < 0 ? -a : a);
-  const std::uint64_t ub = static_cast<std::uint64_t>(b < 0 ? -b : b);
-  const int shift = static_cast<int>(std::bit_width(ub)) - 16;
-  const auto divisor = static_cast<std::uint32_t>(shift >= 0 ? ub >> shift : ub << -shift);
-  const int lift = shift - place_fraction;
-  const std::uint64_t dividend = lift >= 0 ? ua >> lift : ua << -lift;
-  if (divisor == 0 || dividend >> 31 != 0 || (lift < 0 && dividend >> -lift != ua)) return negative ? -most : most;
-  const auto q =
-      static_cast<std::int32_t>(std::min<std::uint32_t>(static_cast<std::uint32_t>(dividend) / divisor, most));
-  return negative ? -q : q;
+  const Leading dividend(static_cast<std::uint64_t>(a < 0 ? -a : a), 32);
+  const Leading divisor(static_cast<std::uint64_t>(b < 0 ? -b : b), 16);
+  if (divisor.top == 0) return most;
+  const int shift = dividend.shift - divisor.shift + place_fraction;  // of a quotient of 16 or 17 bits
+  std::int32_t size = most;
+  if (shift < -31) {
+    size = 0;
+  } else if (shift <= 12) {
+    const std::uint32_t q = dividend.top / divisor.top;
+    size = static_cast<std::int32_t>(shift < 0 ? q >> -shift : q << shift);
+  }
+  return negative ? -size : size;
 }
 
 // A dot with its level, where a piece may begin or end.
@@ -66,14 +78,14 @@ class Forecast {
   [[nodiscard]] std::int32_t next() const {
     std::int32_t way = dots_for(slope_ + bend_ / 2);
     if (bend_ != 0)
-      way = dots_for(slope_ +
-                     static_cast<std::int32_t>(std::int64_t{bend_} * std::min(way / ((run_ >> 8) + 1), 1024) >> 9));
+      way = dots_for(slope_ + static_cast<std::int32_t>(
+                                  std::int64_t{bend_} * std::min<std::int32_t>(way / ((run_ >> 8) + 1), 1024) >> 9));
     return place_ + way;
   }
 
  private:
   [[nodiscard]] std::int32_t dots_for(std::int32_t slope) const {
-    const auto least = static_cast<std::uint32_t>(std::max({slope, slope_ >> 2, 16}));
+    const auto least = static_cast<std::uint32_t>(std::max<std::int32_t>(std::max(slope, slope_ >> 2), 16));
     return static_cast<std::int32_t>((1U << 31) / least << 3);
   }
   std::int32_t place_ = 0, slope_ = 0, bend_ = 0, run_ = 1;
@@ -161,7 +173,7 @@ Stop SpanTracer::last_alike(Stop from, RidgeDot other, std::int32_t other_t) con
     if (tries < 8 && sum != 0) {
       const std::int32_t part = quotient(w_from, sum);
       step = static_cast<std::int32_t>(std::int64_t{way} * part >> place_fraction);
-      step = way > 0 ? std::clamp(step, 1, way - 1) : std::clamp(step, way + 1, -1);
+      step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
     }
     const Stop next = place_stop(from.t() + step);
     if (next.ridge.sign() == from.ridge.sign()) {
@@ -211,10 +223,19 @@ bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) {
   return settle(t, k);
 }
 
+// Whether the dot beside p's, e = -1 or 1 away, surely fails a level that p's reaches.
+//   f(X) <= L(X) - t N(X).N / |N|, since |N| is convex; so with s there within eps of its tangent, and |m| <= |v|,
+//     f(neighbour) <= f + e f' + 2 |v| eps.
+//   Times 2 L, where 2 L f <= g (1 + g / L^2), and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most:
+//     <= g + g / 16 + e g' + 4 L |v| eps,  where g <= L^2 / 32 and |(|N|^2)'| <= |N|^2 / 16.
+//   s' errs by less than 2^7 where LineSection::bent allows it, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2.
 bool SpanTracer::neighbour_fails(const Probe& p, std::int32_t e) const {
-  (void)p;
-  (void)e;
-  return false;
+  const std::int64_t l = p.dot.light.l;
+  const std::int64_t rise = (e > 0 ? -p.g1 : p.g1) - (l << 10) - (std::int64_t{p.square} << 6);
+  const std::int64_t room = rise - p.g - (p.g >> 4) - p.margin;
+  if (room <= 0 || p.g > l * l >> 5) return false;
+  const std::int64_t n2_slope = p.slope.n2 < 0 ? -p.slope.n2 : p.slope.n2;
+  return n2_slope <= p.dot.light.n2 >> 4 && !line_.bent(p.dot, room);
 }
 
 // Levels a dot: level k stands at k - base, and f is proportional to it there.
@@ -292,7 +313,7 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
       find_level(b, a.level);
     }
     if (course == Course::unsure) {
-      skip = std::min(2 * skip, 64);
+      skip = std::min<std::int32_t>(2 * skip, 64);
       a = dot_by_dot(a, a.ridge.sign() == 0 ? std::min(a.t() + skip, last.t()) : b.t());
       continue;
     }

@@ -19,17 +19,31 @@ struct WideLine {
       : v0(p.at(x, y)), v1(p.q[0].times(2 * x) + p.q[1].times(y) + p.q[3]), v2(p.q[0]) {}
   WideLine(const ScaledLinear& p, std::int32_t x, std::int32_t y) : v0(p.at(x, y)), v1(p.q[0]) {}
 
-  // Bits that hold each of its terms, and their sum, for |t| < 2^half_bits: three terms need two bits more than the largest.
-  [[nodiscard]] int bits(int half_bits) const {
-    int most = v0.bit_length();
-    if (!v1.is_zero()) most = std::max(most, v1.bit_length() + half_bits);
-    if (!v2.is_zero()) most = std::max(most, v2.bit_length() + 2 * half_bits);
-    return most + 2;
+  // Bits that hold the sum of its terms' sizes for |t| <= h.
+  [[nodiscard]] int bits(std::int32_t h) const {
+    Wide<128> most = v1.magnitude();
+    if (!v2.is_zero()) most += v2.magnitude().times(h);
+    return (most.times(h) + v0.magnitude()).bit_length();
   }
   [[nodiscard]] LinePolynomial scaled_by(int shift) const {
     return {scaled(v0, shift), scaled(v1, shift), scaled(v2, shift)};
   }
 };
+
+// 256 |v| |K| 2^-90, rounded up. K is taken from 30 bits of D0, D1 h, D2 h^2, h = 2^half_bits; and v^2 D <= q.
+std::uint32_t bend_of(const LinePolynomial& d, const LinePolynomial& q, int half_bits) {
+  const std::int64_t d0 = d.v0 >> 30;
+  const std::int64_t d1 = d.v1 >> (30 - half_bits);
+  const std::int64_t d2 = half_bits > 15 ? 0 : d.v2 >> (30 - 2 * half_bits);
+  const std::int64_t k = d0 * d2 - (d1 * d1 >> 2);
+  const std::uint64_t size = static_cast<std::uint64_t>(k < 0 ? -k : k) + (std::uint64_t{1} << 33);
+  const int d_bits = std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(d.v0, 0)));
+  const int q_bits = std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(q.v0, 0)));
+  const int shift = 22 + 2 * half_bits - ((q_bits - d_bits + 3) >> 1);
+  if (d_bits < 40 || shift < 0) return ~0U;
+  const std::uint64_t bend = (shift > 63 ? 0 : size >> shift) + 1;
+  return bend >> 32 != 0 ? ~0U : static_cast<std::uint32_t>(bend);
+}
 
 }  // namespace
 
@@ -44,12 +58,12 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   const std::int32_t ly = y - job.face.origin_y;
 
   const WideLine d(f.discriminant, x, ly);
-  const int root_shift = std::max((d.bits(half_bits_) - square_bits + 1) >> 1,
-                                  f.discriminant.exponent > 0 ? quadratic_error_bits / 2 : -32);
+  const int root_shift =
+      std::max((d.bits(half_) - square_bits + 1) >> 1, f.discriminant.exponent > 0 ? quadratic_error_bits / 2 : -32);
   const WideLine q(f.square, x, ly);
   const WideLine r(f.square_root, x, ly);
-  const int r_bits = r.bits(half_bits_) + root_shift + square_bits / 2;
-  int square_shift = std::max(q.bits(half_bits_), r_bits) + 1 - square_bits;
+  const int r_bits = r.bits(half_) + root_shift + square_bits / 2;
+  int square_shift = std::max(q.bits(half_), r_bits) + 1 - square_bits;
   if (f.square.exponent > 0) square_shift = std::max(square_shift, quadratic_error_bits);
   // L / (|N| 2^light_bits) must come out as in LevelTable: twice light's scale is square's.
   const int balance = f.square.exponent - 2 * f.light.exponent + 2 * job.table.light_bits;
@@ -60,7 +74,7 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
     square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
   }
   const WideLine l(f.light, x, ly);
-  const int light_terms = std::max(l.bits(half_bits_), f.light_root.bit_length() + root_shift + square_bits / 2);
+  const int light_terms = std::max(l.bits(half_), f.light_root.bit_length() + root_shift + square_bits / 2);
   square_shift = std::max(square_shift, 2 * (light_terms - 31) - balance);
   square_shift += (square_shift + balance) & 1;
   const int light_shift = (square_shift + balance) / 2;
@@ -75,6 +89,7 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   const std::uint64_t steepest = static_cast<std::uint64_t>(std::abs(d_.v1)) +
                                  2 * static_cast<std::uint64_t>(half_) * static_cast<std::uint64_t>(std::abs(d_.v2));
   slope_shift_ = std::max(0, static_cast<int>(std::bit_width(steepest)) - 31);
+  bend_ = bend_of(d_, q_, half_bits_);
   const std::int64_t h = half_;
   const std::int64_t quadratic_error = h * h + h + 2;
   deep_from_ = quadratic_error;
@@ -96,6 +111,18 @@ LitDot LineSection::dot(std::int32_t t) const {
   const auto r = static_cast<std::int32_t>(r_.at(t) >> root_fraction);
   dot.light.n2 = std::max<std::int64_t>(q_.at(t) + std::int64_t{r} * s, 0);
   return dot;
+}
+
+// s'' = K / s^3, K = D0 D2 - D1^2 / 4. Where D >= 4 (|D'| + |D2|) neighbours have s >= sqrt(3/4) of here, so that eps, half of the largest
+// s'', is less than 0.78 K / s^3, and 4 L |v| K <= room s^3 is enough.
+bool LineSection::bent(const LitDot& dot, std::int64_t room) const {
+  const std::uint32_t s = dot.root.s;
+  if (s < 1U << 24) return true;
+  const std::int64_t slope = d_.slope(dot.t);
+  const auto quarter = static_cast<std::int64_t>(std::uint64_t{s} * s >> 2);
+  if ((slope < 0 ? -slope : slope) + (d_.v2 < 0 ? -d_.v2 : d_.v2) + (std::int64_t{s} << 3) > quarter) return true;
+  const std::uint32_t cube = high_product(high_product(s << 2, s << 2), s << 2);  // of s 2^-30, 32 bits of fraction
+  return static_cast<std::uint64_t>(dot.light.l) * bend_ >> 6 >= static_cast<std::uint64_t>(scale_by(cube, room));
 }
 
 Margin LineSection::margin(const LitDot& dot, std::uint32_t square) const {

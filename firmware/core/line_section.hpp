@@ -61,6 +61,10 @@ class LineSection {
   // Of L^2 - square |N|^2 / 2^32, and of L.
   [[nodiscard]] Margin margin(const LitDot& dot, std::uint32_t square) const;
 
+  // False where, to the neighbouring dots, s leaves its tangent by so little, eps, that 4 L |v| eps < room, v the part of N that
+  // goes with s; where s >= 2^24, and |s'| <= s / 8.
+  [[nodiscard]] bool bent(const LitDot& dot, std::int64_t room) const;
+
   [[nodiscard]] const LinePolynomial& discriminant() const { return d_; }
   [[nodiscard]] const LinePolynomial& square() const { return q_; }
   [[nodiscard]] const LinePolynomial& square_root() const { return r_; }  // 32 bits of fraction
@@ -73,7 +77,8 @@ class LineSection {
   std::int32_t middle_ = 0, half_ = 0;
   int half_bits_ = 0;
   bool dark_ = false;
-  int slope_shift_ = 0;  // D's slope in 31 bits
+  int slope_shift_ = 0;     // D's slope in 31 bits
+  std::uint32_t bend_ = 0;  // see bent()
   std::int64_t deep_from_ = 0;
   std::int64_t light_error_[2] = {}, square_error_[2] = {};  // where s is small, and where not
 };

@@ -50,15 +50,15 @@ Course course_of(const std::array<int, 5>& signs) {
 
 int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
 
-// With |D|, |q|, |l|, |m|, |r| at most 1/4, 1/4, 1/2, 1/2, 1/2 (LineSection leaves two bits, or one, to a sum's terms; light's
-// scale is quartered) no sum below exceeds 1.
+// The sizes of a polynomial's terms add up to at most 1, 1/2, 1/2, 1/8 for D, q, r, l, and |m| <= 1/8 (LineSection; light's scale is a
+// sixteenth). So no sum below reaches 1, nor do alpha, beta or w.
 RidgeForm::RidgeForm(const LineSection& line) : shift_(30 - line.half_bits()) {
   const int hb = line.half_bits();
   const Cut d(line.discriminant(), hb, 30);
   const Cut q(line.square(), hb, 30);
   const Cut r(line.square_root(), hb, 32);
-  const Cut l(line.light(), hb, 30);
-  const std::int32_t m = line.light_root() >> 2;
+  const Cut l(line.light(), hb, 32);
+  const std::int32_t m = line.light_root() >> 4;
   const auto [d0, d1, d2] = d.c;
   const auto [q0, q1, q2] = q.c;
   const std::int32_t r0 = r.c[0];
@@ -105,7 +105,7 @@ Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int64_t w_tb = times(a.s, b.w) + times(b.s, w_ab) + times(delta, b.beta) / 2;
   const std::int64_t middle = std::int64_t{times(times(b.s, b.s), a.w)} + times(times(a.s, a.s), b.w) +
                               ((4 * std::int64_t{ss} + delta) * w_ab >> 30) + 2 * std::int64_t{times(delta, beta_s)};
-  // |w| < 2, so the root's error enters w_at and w_tb at most 8 times and the middle 41 times; the rest adds up to 330 and 1000.
+  // |w| < 1, so the root's error enters w_at and w_tb at most 8 times and the middle 41 times; the rest adds up to 330 and 1000.
   const std::int64_t side_error = 512 + 16 * std::int64_t{error};
   return course_of({a.sign(), sure_sign(w_at, side_error), sure_sign(middle, 2048 + 64 * std::int64_t{error}),
                     sure_sign(w_tb, side_error), b.sign()});
