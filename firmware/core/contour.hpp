@@ -10,18 +10,29 @@
 
 #include <cstdint>
 
+#include "firmware/core/reaches_level.hpp"
 #include "firmware/core/shade.hpp"
+#include "firmware/core/sphere_contour.hpp"
 
 namespace halfspace {
 
-// True when the face reaches level k at page dot (x, y): a filter in 64-bit mantissas, then exact arithmetic. For every k.
-[[nodiscard]] bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int32_t k);
+enum class ContourKind : std::uint8_t { unknown, sphere, other };
 
-// The level of the dot, by bisection of the above: for a span's ends where nothing better is known.
-[[nodiscard]] std::int32_t level_at_dot(const ShadeJob& job, std::int32_t x, std::int32_t y);
+// What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
+struct FaceContours {
+  ContourKind kind = ContourKind::unknown;
+  SphereContours sphere;
+};
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
+// The first of these ways that does not decline; Shader::automatic asks only ways that should be cheaper than dot by dot.
+// Linked only where a table of modules names it.
+struct ContourModule {
+  bool (*shade)(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
+};
+extern const ContourModule all_contours;
 
 }  // namespace halfspace
