@@ -272,13 +272,10 @@ class SphereSpan {
 
 }  // namespace
 
+bool has_sphere_contours(const ShadeJob& job) { return make_sphere(job, job.contours->sphere); }
+
 bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  FaceContours& contours = *job.contours;
-  if (contours.kind == ContourKind::unknown) {
-    contours.kind = make_sphere(job, contours.sphere) ? ContourKind::sphere : ContourKind::other;
-  }
-  if (contours.kind != ContourKind::sphere) return false;
-  SphereSpan span(job, contours.sphere, y, x0, x1);
+  SphereSpan span(job, job.contours->sphere, y, x0, x1);
   if (!span.is_usable()) return false;
   span.paint();
   return true;
