@@ -122,15 +122,19 @@ class Trace {
   // False where the block is too short.
   bool run() {
     constexpr std::int32_t stretch = 8;
-    Place a = place(out_.first + 1, -1);
-    out_.level = a.level;
+    LitDot a = levels_.dot(out_.first + 1);
+    out_.level = levels_.level(a, -1);
     if (!add_zone(out_.first, Turn::soft_zone)) return false;  // up to a limb
-    while (a.x < to_) {
-      const Place b = place(std::min(a.x + stretch, to_), a.level);
+    std::int32_t level = out_.level;
+    for (std::int32_t x = out_.first + 1; x < to_;) {
+      const std::int32_t end = std::min(x + stretch, to_);
+      const LitDot b = levels_.dot(end);
       const bool sure = is_monotone(a, b);
-      while (a.x < b.x) {
-        const Place next = place(a.x + 1, a.level);
-        if (!add_step(a, next, sure || is_monotone(a, next))) return false;
+      while (x < end) {
+        const LitDot next = ++x == end ? b : levels_.dot(x);
+        const std::int32_t before = level;
+        level = levels_.level(next, before);
+        if (!add_step(x - 1, before, level, sure || is_monotone(a, next))) return false;
         a = next;
       }
     }
@@ -138,16 +142,9 @@ class Trace {
   }
 
  private:
-  struct Place {
-    std::int32_t x, level;
-    RidgeDot ridge;
-  };
-  [[nodiscard]] Place place(std::int32_t x, std::int32_t near) const {
-    const LitDot dot = levels_.dot(x);
-    return {x, levels_.level(dot, near), form_.at(dot, levels_.line().root_error(dot))};
-  }
-  [[nodiscard]] bool is_monotone(const Place& a, const Place& b) const {
-    const Course course = form_.course(a.ridge, b.ridge);
+  [[nodiscard]] bool is_monotone(const LitDot& a, const LitDot& b) const {
+    const Course course =
+        form_.course(form_.at(a, levels_.line().root_error(a)), form_.at(b, levels_.line().root_error(b)));
     return course == Course::rising || course == Course::falling;
   }
   [[nodiscard]] std::int32_t parts(std::int32_t x) const { return (x - out_.first) << out_.part_bits; }
@@ -158,10 +155,10 @@ class Trace {
     return true;
   }
   bool add_zone(std::int32_t x, Turn turn) { return add({parts(x), (1 << out_.part_bits) + zone_rim, turn}); }
-  bool add_step(const Place& a, const Place& b, bool monotone) {
-    if (monotone) return add_turns({parts(a.x), 1 << out_.part_bits, Turn::up}, a.level, b.level);
-    return add_zone(a.x, a.level == b.level ? Turn::soft_zone : Turn::zone) &&
-           add_turns({parts(b.x), 0, Turn::up}, a.level, b.level);
+  // From dot x to the next.
+  bool add_step(std::int32_t x, std::int32_t from, std::int32_t to, bool monotone) {
+    if (monotone) return from == to || add_turns({parts(x), 1 << out_.part_bits, Turn::up}, from, to);
+    return add_zone(x, from == to ? Turn::soft_zone : Turn::zone) && add_turns({parts(x + 1), 0, Turn::up}, from, to);
   }
   bool add_turns(Entry entry, std::int32_t from, std::int32_t to) {
     entry.turn = from < to ? Turn::up : Turn::down;
@@ -217,7 +214,7 @@ class StraightSpan {
     const std::int64_t down = y - s_.line;
     const std::int64_t scale = (std::int64_t{1} << 24) + (s_.spread * down >> 22);
     const std::int64_t base = (std::int64_t{s_.first} << s_.part_bits) + (s_.slope * down >> (32 - s_.part_bits));
-    is_near_ = s_.length > 0 && scale >= 1 << 23 && scale <= 1 << 25 && base > -(1 << 29) && base < 1 << 29;
+    is_near_ = s_.length > 0 && scale >= 1 << 16 && scale <= 1 << 25 && base > -(1 << 29) && base < 1 << 29;
     scale_ = static_cast<std::uint32_t>(scale);
     base_ = static_cast<std::int32_t>(base);
     widen_ = scale > 1 << 24 ? 1 : 0;
@@ -285,7 +282,6 @@ class StraightSpan {
   // Between certain entries the uncertain ones from i on.
   [[gnu::noinline]] void paint_asking(std::int32_t i) {
     const DotLevels levels(job_, y_, x0_, x1_);
-    const RidgeForm form(levels.line());
     for (; i < s_.entries; i = paint_certain(i + 1)) {
       const std::uint32_t entry = block_[static_cast<std::size_t>(i)];
       const std::int32_t width = width_of(entry) << widen_;
@@ -294,7 +290,7 @@ class StraightSpan {
       const std::int32_t beyond = (at + width + place_error + one_dot() - 1) >> s_.part_bits;
       if (is_zone(entry)) {
         Entry known{static_cast<std::int32_t>(entry >> 8), width_of(entry), static_cast<Turn>(entry & 3)};
-        show_zone(levels, form, known, least, beyond);
+        show_zone(levels, known, least, beyond);
         block_[static_cast<std::size_t>(i)] = packed(known);
         continue;
       }
@@ -310,10 +306,10 @@ class StraightSpan {
     std::int32_t x = least;
     for (; x < beyond && x <= x1_; ++x) {
       if (levels.reaches(levels.dot(x), up ? level_ + 1 : level_) == up) {
-        known.width = std::min(end, back(x) + back_error) - known.b;
+        known.width = std::min(end, back(x) + back_error()) - known.b;
         break;
       }
-      known.b = std::max(known.b, back(x) - back_error);
+      known.b = std::max(known.b, back(x) - back_error());
       known.width = end - known.b;
     }
     if (x > from_ && x <= x1_) {
@@ -334,8 +330,7 @@ class StraightSpan {
 
   // Dots whose levels are all asked. A soft zone loses its part from such a dot to its end where the level is that of the zone's
   // sides and the intensity monotone.
-  void show_zone(const DotLevels& levels, const RidgeForm& form, Entry& known, std::int32_t least,
-                 std::int32_t beyond) {
+  void show_zone(const DotLevels& levels, Entry& known, std::int32_t least, std::int32_t beyond) {
     std::int32_t level = level_;
     for (std::int32_t x = std::max(least, from_); x < std::min(beyond, x1_ + 1); ++x) {
       if (x > from_) run_.change(from_, level_);
@@ -344,13 +339,13 @@ class StraightSpan {
       run_.change(x, level);
       ++runs_;
       from_ = x + 1;
-      if (known.turn == Turn::soft_zone && level == level_) shrink(levels, form, dot, x, beyond, known);
+      if (known.turn == Turn::soft_zone && level == level_) shrink(levels, dot, x, beyond, known);
     }
   }
-  void shrink(const DotLevels& levels, const RidgeForm& form, const LitDot& dot, std::int32_t x, std::int32_t beyond,
-              Entry& known) const {
+  void shrink(const DotLevels& levels, const LitDot& dot, std::int32_t x, std::int32_t beyond, Entry& known) const {
     const auto monotone_to = [&](std::int32_t other) {
       if (other < x0_ || other > x1_) return false;
+      const RidgeForm form(levels.line());
       const RidgeDot here = form.at(dot, levels.line().root_error(dot));
       const LitDot lit = levels.dot(other);
       const RidgeDot there = form.at(lit, levels.line().root_error(lit));
@@ -359,19 +354,21 @@ class StraightSpan {
     };
     const std::int32_t end = known.b + known.width;
     if (x + 1 >= beyond && monotone_to(x + 1)) {
-      known.width = std::max<std::int32_t>(std::min(end, back(x) + back_error) - known.b, 0);
+      known.width = std::max<std::int32_t>(std::min(end, back(x) + back_error()) - known.b, 0);
     } else if (((x - 1) << s_.part_bits) <= base_ + upper(static_cast<std::uint32_t>(known.b) << 8) - place_error &&
                monotone_to(x - 1)) {
-      known.b = std::max(known.b, back(x) - back_error);
+      known.b = std::max(known.b, back(x) - back_error());
       known.width = std::max<std::int32_t>(end - known.b, 0);
     }
   }
 
-  // The b of a dot, to within back_error: the place's error and a rounding, over a scale of 1/2 at least, and another rounding.
+  // The b of a dot, to within back_error: the place's error and a rounding, over the scale, and another rounding.
   [[nodiscard]] std::int32_t back(std::int32_t x) const {
     return static_cast<std::int32_t>((static_cast<std::int64_t>((x << s_.part_bits) - base_) * (1 << 24)) / scale_);
   }
-  static constexpr std::int32_t back_error = 2 * (place_error + 1) + 1;
+  [[nodiscard]] std::int32_t back_error() const {
+    return static_cast<std::int32_t>(((place_error + 1U) << 24) / scale_) + 2;
+  }
 
   const ShadeJob& job_;
   const StraightContours& s_;
