@@ -5,10 +5,11 @@
 //         quadratic is off by less than h^2 + h + 2.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
-#include "firmware/core/certified_root.hpp"
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/quick_root.hpp"
 
 namespace halfspace {
 
@@ -21,6 +22,7 @@ struct LinePolynomial {
 
   // Unsigned, so that a job that lies about its widths wraps and nothing worse.
   [[nodiscard]] std::int64_t at(std::int32_t t) const { return sum(v0, t, sum(v1, t, v2)); }
+  [[nodiscard]] std::int64_t linear(std::int32_t t) const { return sum(v0, t, v1); }
   [[nodiscard]] std::int64_t slope(std::int32_t t) const { return sum(v1, 2 * t, v2); }
 
  private:
@@ -31,17 +33,16 @@ struct LinePolynomial {
   }
 };
 
-// One dot of the section.
+// One dot of the section; its level follows from `light`.
 struct LitDot {
-  std::int32_t t = 0;
-  Root root;
+  std::int32_t t, s, r;
   Light light;
 };
 
-// How L, |N|^2 and s change from dot to dot there.
+// How L and |N|^2 change from dot to dot there.
 struct LitSlope {
-  std::int64_t l = 0, n2 = 0, s = 0;
-  bool known = false;
+  std::int64_t l, n2;
+  bool known;
 };
 
 class LineSection {
@@ -51,18 +52,37 @@ class LineSection {
   [[nodiscard]] std::int32_t middle() const { return middle_; }
   [[nodiscard]] std::int32_t half() const { return half_; }
   [[nodiscard]] int half_bits() const { return half_bits_; }
-  // L = 0 on the whole face.
-  [[nodiscard]] bool grazing() const { return l_.v0 == 0 && l_.v1 == 0 && m_ == 0 && dark_; }
+  // L = 0 on the whole line.
+  [[nodiscard]] bool dark() const { return dark_; }
 
-  [[nodiscard]] LitDot dot(std::int32_t t) const;
+  [[nodiscard, gnu::always_inline]] LitDot dot(std::int32_t t) const {
+    LitDot dot;
+    dot.t = t;
+    const std::int64_t d = d_.at(t);
+    dot.s = d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
+    dot.r = static_cast<std::int32_t>(r_.linear(t) >> 32);
+    dot.light.l = (l_.linear(t) >> light_fraction) + (std::int64_t{m_} * dot.s >> 30);
+    // The error of s can take a small |N|^2 below 0; the true one is not.
+    dot.light.n2 = std::max<std::int64_t>(q_.at(t) + std::int64_t{dot.r} * dot.s, 0);
+    return dot;
+  }
+  // Not known where s is small: at limbs.
   [[nodiscard]] LitSlope slope(const LitDot& dot) const;
-  // What s may be off by at a dot.
-  [[nodiscard]] std::int64_t root_error(const LitDot& dot) const { return dot.root.s >= deep_from_ ? 6 : half_ + 6; }
-  // Of L^2 - square |N|^2 / 2^32, and of L.
-  [[nodiscard]] Margin margin(const LitDot& dot, std::uint32_t square) const;
 
-  // False where, to the neighbouring dots, s leaves its tangent by so little, eps, that 4 L |v| eps < room, v the part of N that
-  // goes with s; where s >= 2^24, and |s'| <= s / 8.
+  // What s may be off by at a dot.
+  [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return dot.s >= deep_from_ ? 6 : half_ + 6; }
+  // Of L, and of L^2 - square |N|^2 / 2^32.
+  [[nodiscard, gnu::always_inline]] Margin margin(const LitDot& dot, std::uint32_t square) const {
+    const Errors& e = errors_[dot.s >= deep_from_ ? 1 : 0];
+    const std::int64_t l = dot.light.l < 0 ? -dot.light.l : dot.light.l;
+    const std::uint64_t from_l = std::uint64_t{static_cast<std::uint32_t>(l)} * (2 * e.light) + e.light_squared;
+    const std::uint64_t from_n = (std::uint64_t{square} * e.square >> 32) + 1;
+    // The rest: a square is rounded by less than 2^-32, its two products by less than 1 each.
+    return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (dot.light.n2 >> 32) + 4};
+  }
+
+  // False where, to the neighbouring dots, s leaves its tangent by so little, eps, that eps times what L - t |N| changes with s,
+  // times 2 L, is less than room; where s >= 2^24, and |s'| <= s / 8.
   [[nodiscard]] bool bent(const LitDot& dot, std::int64_t room) const;
 
   [[nodiscard]] const LinePolynomial& discriminant() const { return d_; }
@@ -71,16 +91,25 @@ class LineSection {
   [[nodiscard]] const LinePolynomial& light() const { return l_; }        // 28 bits of fraction
   [[nodiscard]] std::int32_t light_root() const { return m_; }            // of 2^30 parts
 
+  static constexpr int light_fraction = 28;
+
  private:
+  static constexpr int error_unit = 10;
+  struct Errors {
+    std::uint32_t light, square;  // of L; of |N|^2 in 2^error_unit
+    std::uint64_t light_squared;
+  };
+  [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
+
   LinePolynomial d_, q_, r_, l_;
   std::int32_t m_ = 0;
   std::int32_t middle_ = 0, half_ = 0;
   int half_bits_ = 0;
+  int slope_shift_ = 0;         // D's slope in 31 bits
+  std::int32_t deep_from_ = 0;  // from this s on its error is 6
+  std::uint32_t bend_ = 0;      // see bent()
   bool dark_ = false;
-  int slope_shift_ = 0;     // D's slope in 31 bits
-  std::uint32_t bend_ = 0;  // see bent()
-  std::int64_t deep_from_ = 0;
-  std::int64_t light_error_[2] = {}, square_error_[2] = {};  // where s is small, and where not
+  Errors errors_[2] = {};  // at a limb, and elsewhere
 };
 
 }  // namespace halfspace

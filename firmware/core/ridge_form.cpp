@@ -81,13 +81,13 @@ RidgeForm::RidgeForm(const LineSection& line) : shift_(30 - line.half_bits()) {
   std::copy(d.c, d.c + 3, d_);
 }
 
-RidgeDot RidgeForm::at(const LitDot& dot, std::int64_t root_error) const {
+RidgeDot RidgeForm::at(const LitDot& dot, std::int32_t root_error) const {
   RidgeDot p;
   p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(dot.t) << shift_);
-  p.s = static_cast<std::int32_t>(dot.root.s);
+  p.s = dot.s;
   p.beta = beta_[0] + times(beta_[1], p.tau);
   p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(p.beta, p.s);
-  p.error = static_cast<std::int32_t>(root_error);
+  p.error = root_error;
   return p;
 }
 
