@@ -55,7 +55,7 @@ struct Probe {
   LitDot dot;
   LitSlope slope;
   std::uint32_t square;
-  std::int64_t g, g1, margin;
+  std::int64_t l2, g, g1, margin;
 };
 
 // Where the boundaries of a monotone piece are to be expected, from left to right.
@@ -183,15 +183,14 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
 }
 
 void SpanTracer::measure(Probe& p, std::uint32_t square) const {
-  const Light& light = p.dot.light;
+  const auto l = static_cast<std::int32_t>(p.dot.light.l);
   p.square = square;
-  p.margin = 0;
-  p.g = light.l * light.l - scale_by(square, light.n2);
+  p.l2 = std::int64_t{l} * l;
+  p.g = p.l2 - scale_by(square, p.dot.light.n2);
   p.g1 = 0;
   if (!p.slope.known) return;
-  const std::int64_t n2 = p.slope.n2;
-  const std::int64_t fall = scale_by(square, n2 < 0 ? -n2 : n2);
-  p.g1 = 2 * light.l * p.slope.l + (n2 < 0 ? fall : -fall);
+  const std::int32_t fall = high_product(static_cast<std::int32_t>(square >> 1), p.slope.n2);
+  p.g1 = 2 * std::int64_t{l} * p.slope.l - std::int64_t{fall} * (1 << 29);
 }
 
 // Whether dot t reaches level k.
@@ -214,19 +213,20 @@ bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
 //   Times 2 L, where with t |N| = sqrt(L^2 - g) and g <= L^2 / 8
 //     2 L f = g (1 + f / (L + t |N|)) <= g (1 + 1/29),  and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most,
 //   so it is <= g + g / 16 + e g' + 2 L (|m| + |v|) eps where |(|N|^2)'| <= |N|^2 / 32.
-//   s' errs by less than 2^7 where LineSection::bent allows it, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2.
+//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; and 2^30 more where it is cut.
 bool SpanTracer::neighbour_fails(const Probe& p, std::int32_t e) const {
+  constexpr std::int64_t cut = 1 << 30;
   const std::int64_t l = p.dot.light.l;
-  const std::int64_t rise = (e > 0 ? -p.g1 : p.g1) - (l << 10) - (std::int64_t{p.square} << 6);
-  const std::int64_t room = rise - p.g - (p.g >> 4) - p.margin;
-  if (room <= 0 || p.g > l * l >> 3) return false;
-  const std::int64_t n2_slope = p.slope.n2 < 0 ? -p.slope.n2 : p.slope.n2;
-  return n2_slope <= p.dot.light.n2 >> 5 && !line_.bent(p.dot, room);
+  const std::int64_t room =
+      (e > 0 ? -p.g1 : p.g1) - cut - (l << 10) - (std::int64_t{p.square} << 6) - p.g - (p.g >> 4) - p.margin;
+  if (!p.slope.steady || room <= 0 || p.g > p.l2 >> 3) return false;
+  const auto n2 = static_cast<std::int32_t>(p.dot.light.n2 >> 33);
+  return p.slope.n2 <= n2 && -p.slope.n2 <= n2 && line_.straight(p.dot, room);
 }
 
 // Dots from level to level: f' / f0 a dot, f0 = t |N| / (k - base) a level, and 2 L f' ~ g'.
 std::int32_t SpanTracer::way(const Probe& p, const Reciprocal& slope, std::int32_t k) const {
-  const std::int32_t all = slope.times(p.dot.light.l * p.dot.light.l);
+  const std::int32_t all = slope.times(p.l2);
   return std::min<std::int32_t>((all < 0 ? -all : all) / std::max<std::int32_t>(16 * k - base_, 1), 1 << 19) << 5;
 }
 
@@ -240,7 +240,14 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
     const Reciprocal slope(p.g1);
     const std::int32_t place = (guess << place_fraction) - slope.times(p.g);
     (reached ? in : out) = guess;
-    if (in + e == out || (reached && neighbour_fails(p, e))) {
+    if (reached && in + e != out) {
+      if (neighbour_fails(p, e) || !reaches(line_.dot(in + e), k)) {
+        out = in + e;
+      } else {
+        in += e;
+      }
+    }
+    if (in + e == out) {
       forecast.add(place, way(p, slope, k));
       return in;
     }

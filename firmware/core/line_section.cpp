@@ -1,6 +1,7 @@
 #include "firmware/core/line_section.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "firmware/core/root_surface.hpp"
 
@@ -10,6 +11,7 @@ namespace {
 constexpr int square_bits = 60;        // q and r s
 constexpr int discriminant_bits = 59;  // a bit less than quick_root allows: rounding may carry
 constexpr int root_fraction = 32;
+constexpr std::int32_t shortest_half = 8;  // where slopes are known: they would not fit in shorter sections
 
 // A line of a face's polynomial, before it is scaled.
 struct WideLine {
@@ -30,9 +32,6 @@ struct WideLine {
   }
 };
 
-constexpr std::uint32_t high_product(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint32_t>(std::uint64_t{a} * b >> 32);
-}
 constexpr std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
 
 // An upper bound of 256 |v|, v the part of N that goes with s: |v|^2 D <= q.
@@ -52,6 +51,13 @@ std::uint32_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part
   const std::uint64_t k = magnitude(d0 * d2 - (d1 * d1 >> 2)) + (std::uint64_t{1} << 33);
   const std::uint64_t bend = (((k >> 32) + 1) * part >> (2 * half_bits - 2)) + 1;
   return bend >> 32 != 0 ? ~0U : static_cast<std::uint32_t>(bend);
+}
+
+// v1 in quarters: 2 v2 2^half_bits reaches twice the steepest slope.
+LineSlope slope_of(const LinePolynomial& p, int half_bits, int shift) {
+  const int down = shift + 1 - half_bits;
+  const std::int64_t v1 = down >= 0 ? p.v2 >> down : p.v2 << -down;
+  return {static_cast<std::int32_t>(p.v1 >> shift), static_cast<std::int32_t>(v1)};
 }
 
 }  // namespace
@@ -95,8 +101,16 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   m_ = static_cast<std::int32_t>(scaled(f.light_root, light_shift - root_shift - 30));
   dark_ = f.light_root.is_zero() && l.v0.is_zero() && l.v1.is_zero();
 
+  tau_shift_ = 31 - half_bits_;
   const std::uint64_t steepest = magnitude(d_.v1) + 2 * static_cast<std::uint64_t>(half_) * magnitude(d_.v2);
   slope_shift_ = std::max(0, static_cast<int>(std::bit_width(steepest)) - 31);
+  d_slope_ = slope_of(d_, half_bits_, slope_shift_);
+  q_slope_ = slope_of(q_, half_bits_, 28);
+  r_slope_ = static_cast<std::int32_t>(r_.v1 >> 28);
+  l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
+  sloped_from_ = half_ < shortest_half ? std::numeric_limits<std::int32_t>::max() : 1 << 20;
+  steady_from_ = std::max<std::int32_t>(
+      1 << 24, quick_root(std::min(9 * magnitude(d_.v2), (std::uint64_t{1} << 60) - 1) + 1) + 64);
   const auto m = static_cast<std::uint32_t>(magnitude(m_));
   bend_ = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
   deep_from_ = half_ * half_ + half_ + 2;
@@ -110,42 +124,6 @@ LineSection::Errors LineSection::errors_for(std::int64_t root_error) const {
   const std::int64_t square = (root_error << 30) + (std::int64_t{1} << 32) + deep_from_;
   return {static_cast<std::uint32_t>(light), static_cast<std::uint32_t>(square >> error_unit) + 1,
           static_cast<std::uint64_t>(light * light)};
-}
-
-// s'' = K / s^3, K = D0 D2 - D1^2 / 4. Where D >= 4 (|D'| + |D2|) neighbours have s >= sqrt(3/4) of here, so eps, half of the
-// largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by |m| + |v| at most, so 2 L (|m| + |v|) K <= room s^3 is enough.
-bool LineSection::bent(const LitDot& dot, std::int64_t room) const {
-  const auto s = static_cast<std::uint32_t>(dot.s);
-  if (s < 1U << 24) return true;
-  const std::uint64_t quarter = (std::uint64_t{s} * s - (std::uint64_t{s} << 3)) >> 2;
-  if (magnitude(d_.slope(dot.t)) + magnitude(d_.v2) > quarter) return true;
-  const std::uint32_t cube = high_product(high_product(s << 2, s << 2), s << 2);  // of s 2^-30, 32 bits of fraction
-  return std::uint64_t{static_cast<std::uint32_t>(dot.light.l)} * bend_ >> 7 >=
-         static_cast<std::uint64_t>(scale_by(cube, room));
-}
-
-LitSlope LineSection::slope(const LitDot& dot) const {
-  LitSlope slope;
-  slope.known = false;
-  const auto s = static_cast<std::uint32_t>(dot.s);
-  // 1 / s = inverse 2^(zeros - 62): a division for 15 bits, Newton's step for 29
-  const int zeros = std::countl_zero(s);
-  const int shift = 63 - slope_shift_ - zeros;
-  if (s < 1U << 16 || shift < 0) return slope;
-  const std::uint32_t top = s << zeros;
-  const std::uint32_t guess = ~0U / (top >> 16);
-  const auto rest = static_cast<std::int32_t>((1U << 31) - high_product(top, guess << 15));
-  const auto inverse = static_cast<std::int32_t>(
-      (guess << 14) + static_cast<std::uint32_t>(static_cast<std::int32_t>(guess) * (rest >> 2) >> 15));
-  const std::int64_t s1 = (d_.slope(dot.t) >> slope_shift_) * inverse >> shift;  // s' = D' / 2 s
-  const auto s1_32 = static_cast<std::int32_t>(s1);
-  if (s1 != s1_32) return slope;
-  slope.l = (l_.v1 >> light_fraction) + (std::int64_t{m_} * s1_32 >> 30);
-  const std::int64_t r1s =
-      (r_.v1 >> 32) * dot.s + static_cast<std::int64_t>((static_cast<std::uint64_t>(r_.v1) & 0xffffffffU) * s >> 32);
-  slope.n2 = q_.slope(dot.t) + r1s + std::int64_t{dot.r} * s1_32;
-  slope.known = true;
-  return slope;
 }
 
 }  // namespace halfspace

@@ -33,16 +33,30 @@ struct LinePolynomial {
   }
 };
 
+constexpr std::uint32_t high_product(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint32_t>(std::uint64_t{a} * b >> 32);
+}
+constexpr std::int32_t high_product(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(std::int64_t{a} * b >> 32);
+}
+
+// A polynomial's slope along the line: v0 + 4 v1 tau, tau = t 2^-half_bits in 31 bits.
+struct LineSlope {
+  std::int32_t v0 = 0, v1 = 0;
+
+  [[nodiscard]] std::int32_t at(std::int32_t tau) const { return v0 + (high_product(v1, tau) << 3); }
+};
+
 // One dot of the section; its level follows from `light`.
 struct LitDot {
   std::int32_t t, s, r;
   Light light;
 };
 
-// How L and |N|^2 change from dot to dot there.
+// How s, L and, in units of 2^28, |N|^2 change from dot to dot there.
 struct LitSlope {
-  std::int64_t l, n2;
-  bool known;
+  std::int32_t s, l, n2;
+  bool known, steady;
 };
 
 class LineSection {
@@ -66,8 +80,21 @@ class LineSection {
     dot.light.n2 = std::max<std::int64_t>(q_.at(t) + std::int64_t{dot.r} * dot.s, 0);
     return dot;
   }
-  // Not known where s is small: at limbs.
-  [[nodiscard]] LitSlope slope(const LitDot& dot) const;
+  // Not known at limbs; steady where s' is off by less than 2^7 and at most s / 16, and |D2| at most s^2 / 9.
+  [[nodiscard, gnu::always_inline]] LitSlope slope(const LitDot& dot) const {
+    LitSlope slope{0, 0, 0, dot.s >= sloped_from_, false};
+    if (!slope.known) return slope;
+    const std::int32_t tau = dot.t << tau_shift_;
+    const std::int64_t s1 = halved_ratio(d_slope_.at(tau), dot.s);
+    const std::int64_t size = s1 < 0 ? -s1 : s1;
+    slope.known = size < 1 << 29;
+    slope.steady = size < dot.s >> 4 && dot.s >= steady_from_;
+    slope.s = static_cast<std::int32_t>(s1);
+    slope.l = l_slope_ + static_cast<std::int32_t>(std::int64_t{m_} * slope.s >> 30);
+    slope.n2 = q_slope_.at(tau) + high_product(r_slope_, dot.s) +
+               static_cast<std::int32_t>(std::int64_t{dot.r} * slope.s >> 28);
+    return slope;
+  }
 
   // What s may be off by at a dot.
   [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return dot.s >= deep_from_ ? 6 : half_ + 6; }
@@ -81,9 +108,17 @@ class LineSection {
     return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (dot.light.n2 >> 32) + 4};
   }
 
-  // False where, to the neighbouring dots, s leaves its tangent by so little, eps, that eps times what L - t |N| changes with s,
-  // times 2 L, is less than room; where s >= 2^24, and |s'| <= s / 8.
-  [[nodiscard]] bool bent(const LitDot& dot, std::int64_t room) const;
+  // Where a slope is steady: whether, to the neighbouring dots, s leaves its tangent by so little, eps, that eps times what L - t |N|
+  // changes with s, times 2 L, is less than room.
+  //   s'' = K / s^3, K = D0 D2 - D1^2 / 4. |s'| <= s / 16 and |D2| <= s^2 / 9 make D >= 4 (|D'| + |D2|), so neighbours have
+  //   s >= sqrt(3/4) of here, and eps, half of the largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by |m| + |v| at
+  //   most, so 2 L (|m| + |v|) K <= room s^3 is enough.
+  [[nodiscard, gnu::always_inline]] bool straight(const LitDot& dot, std::int64_t room) const {
+    const std::uint32_t s = static_cast<std::uint32_t>(dot.s) << 2;
+    const std::uint32_t cube = high_product(high_product(s, s), s);  // of s 2^-30, 32 bits of fraction
+    return std::uint64_t{static_cast<std::uint32_t>(dot.light.l)} * bend_ >> 7 <
+           static_cast<std::uint64_t>(scale_by(cube, room));
+  }
 
   [[nodiscard]] const LinePolynomial& discriminant() const { return d_; }
   [[nodiscard]] const LinePolynomial& square() const { return q_; }
@@ -99,15 +134,30 @@ class LineSection {
     std::uint32_t light, square;  // of L; of |N|^2 in 2^error_unit
     std::uint64_t light_squared;
   };
+  // 2^slope_shift d / 2 s
+  [[nodiscard, gnu::always_inline]] std::int64_t halved_ratio(std::int32_t d, std::int32_t s) const {
+    // 1 / s = inverse 2^(zeros - 62): a division for 15 bits, Newton's step for 29
+    const int zeros = std::countl_zero(static_cast<std::uint32_t>(s));
+    const std::uint32_t top = static_cast<std::uint32_t>(s) << zeros;
+    const std::uint32_t guess = ~0U / (top >> 16);
+    const auto rest = static_cast<std::int32_t>((1U << 31) - high_product(top, guess << 15));
+    const std::int32_t inverse =
+        static_cast<std::int32_t>(guess << 14) + (static_cast<std::int32_t>(guess) * (rest >> 2) >> 15);
+    return std::int64_t{d} * inverse >> (63 - slope_shift_ - zeros);
+  }
   [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
 
   LinePolynomial d_, q_, r_, l_;
   std::int32_t m_ = 0;
   std::int32_t middle_ = 0, half_ = 0;
   int half_bits_ = 0;
-  int slope_shift_ = 0;         // D's slope in 31 bits
-  std::int32_t deep_from_ = 0;  // from this s on its error is 6
-  std::uint32_t bend_ = 0;      // see bent()
+  int tau_shift_ = 0;
+  int slope_shift_ = 0;  // d_slope_ in 2^slope_shift
+  LineSlope d_slope_, q_slope_;
+  std::int32_t r_slope_ = 0, l_slope_ = 0;
+  std::int32_t deep_from_ = 0;                      // from this s on its error is 6
+  std::int32_t sloped_from_ = 0, steady_from_ = 0;  // see slope()
+  std::uint32_t bend_ = 0;                          // see straight()
   bool dark_ = false;
   Errors errors_[2] = {};  // at a limb, and elsewhere
 };
