@@ -17,29 +17,37 @@ namespace {
 constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
 constexpr int place_fraction = 14;       // of places and ways, in dots
 
-// 1 / value in the leading 16 bits of it: value ~ top 2^shift, and inverse = 2^31 / top.
-struct Reciprocal {
-  std::int32_t inverse;
-  int shift;
-  bool negative;
+constexpr int squares_unit = 24;  // squares and their slopes are cut to 2^24 where they predict
 
-  explicit Reciprocal(std::int64_t value) : negative(value < 0) {
-    const auto size = static_cast<std::uint64_t>(negative ? -value : value);
-    const auto high = static_cast<std::uint32_t>(size >> 32);
-    shift =
-        (high != 0 ? 64 - std::countl_zero(high) : 32 - std::countl_zero(static_cast<std::uint32_t>(size) | 1)) - 16;
-    const auto top = static_cast<std::uint32_t>(shift >= 0 ? size >> shift : size << -shift);
-    inverse = static_cast<std::int32_t>((1U << 31) / std::max<std::uint32_t>(top, 1U << 15) - 1);
+// 1 / value in its leading 16 bits: 2^31 / inverse is value 2^-shift. Known from 2^15 on.
+struct Reciprocal {
+  std::int32_t inverse = 0;
+  int shift = 0;
+  bool negative;
+  bool known;
+
+  explicit Reciprocal(std::int32_t value) : negative(value < 0) {
+    const auto size = static_cast<std::uint32_t>(negative ? -value : value);
+    known = size >= 1U << 15;
+    if (!known) return;
+    shift = 16 - std::countl_zero(size);
+    inverse = static_cast<std::int32_t>((1U << 31) / (size >> shift) - 1);
   }
-  // dividend / value with place_fraction bits, to about 2^-15 of itself; at most 2^14 dots.
-  [[nodiscard]] std::int32_t times(std::int64_t dividend) const {
-    const std::int64_t wide = shift >= 0 ? dividend >> shift : dividend << -shift;
-    constexpr std::int64_t most = (1 << 30) - 1;
-    const auto cut = static_cast<std::int32_t>(std::clamp(wide, -most, most));
-    const auto quotient = static_cast<std::int32_t>(std::int64_t{cut} * inverse >> (31 - place_fraction));
+  // dividend / value with place_fraction bits, to about 2^-15 of itself.
+  [[nodiscard]] std::int32_t times(std::int32_t dividend) const {
+    const auto quotient = static_cast<std::int32_t>(std::int64_t{dividend >> shift} * inverse >> (31 - place_fraction));
     return negative ? -quotient : quotient;
   }
 };
+
+// In units of 2^squares_unit, at most 2^30 in size.
+std::int32_t cut(std::int64_t square) {
+  constexpr std::int32_t most = 1 << 30;
+  const std::int64_t value = square >> squares_unit;
+  const auto low = static_cast<std::int32_t>(value);
+  if (value == low && low < most && low > -most) return low;
+  return value < 0 ? -most : most;
+}
 
 // A dot with its level, where a piece may begin or end.
 struct Stop {
@@ -50,12 +58,12 @@ struct Stop {
   [[nodiscard]] std::int32_t t() const { return dot.t; }
 };
 
-// A dot against the bar of a level: g = L^2 - t^2 |N|^2, and its slope, 0 where that is not known.
+// A dot against the bar of a level: g = L^2 - t^2 |N|^2, and its slope; cut, and 0 where that is not known.
 struct Probe {
   LitDot dot;
   LitSlope slope;
   std::uint32_t square;
-  std::int64_t l2, g, g1, margin;
+  std::int32_t g, g1;
 };
 
 // Where the boundaries of a monotone piece are to be expected, from left to right.
@@ -86,6 +94,8 @@ class SpanTracer {
         line_(job, y, x0, x1),
         ridge_(line_),
         painter_(job.painter, x0, 0),
+        proof_margin_(static_cast<std::int32_t>(line_.deep_margin().squares >> squares_unit) +
+                      (1 << (31 - squares_unit))),
         base_(static_cast<std::int32_t>((std::int64_t{job.table.levels - 1} * job.lighting.ambient << 4) /
                                         job.lighting.unit)) {}
 
@@ -116,7 +126,7 @@ class SpanTracer {
   std::int32_t boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
                         Forecast& forecast) const;
   bool probe(Probe& p, std::int32_t t, std::int32_t k) const;
-  void measure(Probe& p, std::uint32_t square) const;
+  std::int64_t measure(Probe& p, std::uint32_t square) const;
   [[nodiscard]] bool neighbour_fails(const Probe& p, std::int32_t e) const;
   [[nodiscard]] std::int32_t way(const Probe& p, const Reciprocal& slope, std::int32_t k) const;
 
@@ -130,7 +140,8 @@ class SpanTracer {
   LineSection line_;
   RidgeForm ridge_;
   RunPainter painter_;
-  std::int32_t base_;  // levels that ambient light alone gives, in sixteenths
+  std::int32_t proof_margin_;  // of g', for neighbour_fails
+  std::int32_t base_;          // levels that ambient light alone gives, in sixteenths
 };
 
 // Each dot after `from` up to `to` for itself.
@@ -182,29 +193,30 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   monotone(dot_by_dot(left, right.t()), b);
 }
 
-void SpanTracer::measure(Probe& p, std::uint32_t square) const {
+// Returns g itself.
+std::int64_t SpanTracer::measure(Probe& p, std::uint32_t square) const {
   const auto l = static_cast<std::int32_t>(p.dot.light.l);
+  const std::int64_t g = std::int64_t{l} * l - scale_by(square, p.dot.light.n2);
   p.square = square;
-  p.l2 = std::int64_t{l} * l;
-  p.g = p.l2 - scale_by(square, p.dot.light.n2);
+  p.g = cut(g);
   p.g1 = 0;
-  if (!p.slope.known) return;
-  const std::int32_t fall = high_product(static_cast<std::int32_t>(square >> 1), p.slope.n2);
-  p.g1 = 2 * std::int64_t{l} * p.slope.l - std::int64_t{fall} * (1 << 29);
+  if (!p.slope.known) return g;
+  const std::int32_t fall = high_product(static_cast<std::int32_t>(square >> 1), p.slope.n2);  // of 2^29
+  p.g1 = cut(2 * std::int64_t{l} * p.slope.l - std::int64_t{fall} * (1 << 29));
+  return g;
 }
 
 // Whether dot t reaches level k.
 bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
   p.dot = line_.dot(t);
   p.slope = line_.slope(p.dot);
-  measure(p, square(k));
-  const Margin margin = line_.margin(p.dot, p.square);
-  p.margin = margin.squares;
-  const std::int64_t l = p.dot.light.l;
-  if (l < -margin.light) return false;
-  if (l > margin.light && p.g > margin.squares) return true;
-  if (l > margin.light && p.g < -margin.squares) return false;
-  return settle(t, k);
+  const std::int64_t g = measure(p, square(k));
+  const Margin& sure = line_.deep_margin();
+  if (line_.deep(p.dot) && p.dot.light.l > sure.light) {
+    if (g > sure.squares) return true;
+    if (g < -sure.squares) return false;
+  }
+  return reaches(p.dot, k);
 }
 
 // Whether the dot beside p's, e = -1 or 1 away, surely fails a level that p's reaches.
@@ -213,21 +225,25 @@ bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
 //   Times 2 L, where with t |N| = sqrt(L^2 - g) and g <= L^2 / 8
 //     2 L f = g (1 + f / (L + t |N|)) <= g (1 + 1/29),  and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most,
 //   so it is <= g + g / 16 + e g' + 2 L (|m| + |v|) eps where |(|N|^2)'| <= |N|^2 / 32.
-//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; and 2^30 more where it is cut.
+//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; what is cut in slope(), measure() and
+//   here adds less than 2^31.
 bool SpanTracer::neighbour_fails(const Probe& p, std::int32_t e) const {
-  constexpr std::int64_t cut = 1 << 30;
-  const std::int64_t l = p.dot.light.l;
-  const std::int64_t room =
-      (e > 0 ? -p.g1 : p.g1) - cut - (l << 10) - (std::int64_t{p.square} << 6) - p.g - (p.g >> 4) - p.margin;
-  if (!p.slope.steady || room <= 0 || p.g > p.l2 >> 3) return false;
+  if (!p.slope.steady) return false;
+  const auto l = static_cast<std::uint32_t>(p.dot.light.l);
+  const std::int32_t room = (e > 0 ? -p.g1 : p.g1) - p.g - (p.g >> 4) -
+                            static_cast<std::int32_t>((l >> 14) + (p.square >> 18)) - proof_margin_;
+  if (room <= 0 || p.g > static_cast<std::int32_t>(high_product(l, l) << 5)) return false;
   const auto n2 = static_cast<std::int32_t>(p.dot.light.n2 >> 33);
   return p.slope.n2 <= n2 && -p.slope.n2 <= n2 && line_.straight(p.dot, room);
 }
 
 // Dots from level to level: f' / f0 a dot, f0 = t |N| / (k - base) a level, and 2 L f' ~ g'.
 std::int32_t SpanTracer::way(const Probe& p, const Reciprocal& slope, std::int32_t k) const {
-  const std::int32_t all = slope.times(p.l2);
-  return std::min<std::int32_t>((all < 0 ? -all : all) / std::max<std::int32_t>(16 * k - base_, 1), 1 << 19) << 5;
+  const auto l = static_cast<std::uint32_t>(p.dot.light.l);
+  const std::int32_t all = slope.times(static_cast<std::int32_t>(high_product(l, l)));  // in 2^8 dots, and twice
+  const std::int32_t sixteenths = std::max<std::int32_t>(16 * k - base_, 1);
+  const std::int32_t size = std::min<std::int32_t>(all < 0 ? -all : all, 1 << 22);
+  return std::min<std::int32_t>((size << 8) / sixteenths, 1 << 19) << 5;
 }
 
 // The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`.
@@ -252,7 +268,7 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
       return in;
     }
     guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
-    if (tries > 3 || p.g1 == 0) guess = in + (out - in) / 2;
+    if (tries > 3 || !slope.known) guess = in + (out - in) / 2;
     guess = e > 0 ? std::clamp(guess, in + 1, out - 1) : std::clamp(guess, out + 1, in - 1);
   }
 }

@@ -108,7 +108,7 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   q_slope_ = slope_of(q_, half_bits_, 28);
   r_slope_ = static_cast<std::int32_t>(r_.v1 >> 28);
   l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
-  sloped_from_ = half_ < shortest_half ? std::numeric_limits<std::int32_t>::max() : 1 << 20;
+  sloped_from_ = half_ < shortest_half ? std::numeric_limits<std::int32_t>::max() : 1 << std::max(20, slope_shift_);
   steady_from_ = std::max<std::int32_t>(
       1 << 24, quick_root(std::min(9 * magnitude(d_.v2), (std::uint64_t{1} << 60) - 1) + 1) + 64);
   const auto m = static_cast<std::uint32_t>(magnitude(m_));
@@ -116,6 +116,8 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   deep_from_ = half_ * half_ + half_ + 2;
   errors_[0] = errors_for(half_ + 6);
   errors_[1] = errors_for(6);
+  const LitDot brightest{0, deep_from_, 0, {std::int64_t{1} << 30, std::int64_t{1} << square_bits}};
+  deep_margin_ = margin(brightest, ~0U);
 }
 
 LineSection::Errors LineSection::errors_for(std::int64_t root_error) const {

@@ -85,11 +85,10 @@ class LineSection {
     LitSlope slope{0, 0, 0, dot.s >= sloped_from_, false};
     if (!slope.known) return slope;
     const std::int32_t tau = dot.t << tau_shift_;
-    const std::int64_t s1 = halved_ratio(d_slope_.at(tau), dot.s);
-    const std::int64_t size = s1 < 0 ? -s1 : s1;
+    slope.s = halved_ratio(d_slope_.at(tau), dot.s);
+    const std::int32_t size = slope.s < 0 ? -slope.s : slope.s;
     slope.known = size < 1 << 29;
     slope.steady = size < dot.s >> 4 && dot.s >= steady_from_;
-    slope.s = static_cast<std::int32_t>(s1);
     slope.l = l_slope_ + static_cast<std::int32_t>(std::int64_t{m_} * slope.s >> 30);
     slope.n2 = q_slope_.at(tau) + high_product(r_slope_, dot.s) +
                static_cast<std::int32_t>(std::int64_t{dot.r} * slope.s >> 28);
@@ -98,8 +97,11 @@ class LineSection {
 
   // What s may be off by at a dot.
   [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return dot.s >= deep_from_ ? 6 : half_ + 6; }
+  // A bound of margin() for every square, away from limbs.
+  [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
+  [[nodiscard]] const Margin& deep_margin() const { return deep_margin_; }
   // Of L, and of L^2 - square |N|^2 / 2^32.
-  [[nodiscard, gnu::always_inline]] Margin margin(const LitDot& dot, std::uint32_t square) const {
+  [[nodiscard]] Margin margin(const LitDot& dot, std::uint32_t square) const {
     const Errors& e = errors_[dot.s >= deep_from_ ? 1 : 0];
     const std::int64_t l = dot.light.l < 0 ? -dot.light.l : dot.light.l;
     const std::uint64_t from_l = std::uint64_t{static_cast<std::uint32_t>(l)} * (2 * e.light) + e.light_squared;
@@ -113,11 +115,12 @@ class LineSection {
   //   s'' = K / s^3, K = D0 D2 - D1^2 / 4. |s'| <= s / 16 and |D2| <= s^2 / 9 make D >= 4 (|D'| + |D2|), so neighbours have
   //   s >= sqrt(3/4) of here, and eps, half of the largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by |m| + |v| at
   //   most, so 2 L (|m| + |v|) K <= room s^3 is enough.
-  [[nodiscard, gnu::always_inline]] bool straight(const LitDot& dot, std::int64_t room) const {
+  // `room` is in units of 2^24.
+  [[nodiscard, gnu::always_inline]] bool straight(const LitDot& dot, std::int32_t room) const {
     const std::uint32_t s = static_cast<std::uint32_t>(dot.s) << 2;
     const std::uint32_t cube = high_product(high_product(s, s), s);  // of s 2^-30, 32 bits of fraction
-    return std::uint64_t{static_cast<std::uint32_t>(dot.light.l)} * bend_ >> 7 <
-           static_cast<std::uint64_t>(scale_by(cube, room));
+    const std::uint32_t bend = high_product(static_cast<std::uint32_t>(dot.light.l), bend_);
+    return bend < 1U << 30 && 2 * bend + 2 < high_product(cube, static_cast<std::uint32_t>(room));
   }
 
   [[nodiscard]] const LinePolynomial& discriminant() const { return d_; }
@@ -134,8 +137,8 @@ class LineSection {
     std::uint32_t light, square;  // of L; of |N|^2 in 2^error_unit
     std::uint64_t light_squared;
   };
-  // 2^slope_shift d / 2 s
-  [[nodiscard, gnu::always_inline]] std::int64_t halved_ratio(std::int32_t d, std::int32_t s) const {
+  // 2^slope_shift d / 2 s, for s >= 2^slope_shift
+  [[nodiscard, gnu::always_inline]] std::int32_t halved_ratio(std::int32_t d, std::int32_t s) const {
     // 1 / s = inverse 2^(zeros - 62): a division for 15 bits, Newton's step for 29
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(s));
     const std::uint32_t top = static_cast<std::uint32_t>(s) << zeros;
@@ -143,7 +146,7 @@ class LineSection {
     const auto rest = static_cast<std::int32_t>((1U << 31) - high_product(top, guess << 15));
     const std::int32_t inverse =
         static_cast<std::int32_t>(guess << 14) + (static_cast<std::int32_t>(guess) * (rest >> 2) >> 15);
-    return std::int64_t{d} * inverse >> (63 - slope_shift_ - zeros);
+    return high_product(d, inverse) >> (31 - slope_shift_ - zeros);
   }
   [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
 
@@ -160,6 +163,7 @@ class LineSection {
   std::uint32_t bend_ = 0;                          // see straight()
   bool dark_ = false;
   Errors errors_[2] = {};  // at a limb, and elsewhere
+  Margin deep_margin_;
 };
 
 }  // namespace halfspace
