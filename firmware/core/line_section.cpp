@@ -32,8 +32,6 @@ struct WideLine {
   }
 };
 
-constexpr std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
-
 // An upper bound of 256 |v|, v the part of N that goes with s: |v|^2 D <= q.
 std::uint32_t root_part(const LinePolynomial& d, const LinePolynomial& q) {
   constexpr std::int64_t least = std::int64_t{1} << 40;

@@ -41,8 +41,8 @@ class RidgeForm {
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
  private:
-  int shift_ = 0;
-  std::int32_t d_[3] = {}, alpha_[3] = {}, beta_[2] = {};
+  int tau_shift_, root_shift_;
+  std::int32_t d_[3], alpha_[3], beta_[2];
 };
 
 }  // namespace halfspace
