@@ -15,124 +15,120 @@ namespace halfspace {
 namespace {
 
 constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
-constexpr int place_fraction = 14;
+constexpr int place_fraction = 14;       // of places and ways, in dots
 
-// The leading `bits` bits of a number, at most 32: value ~ top 2^shift.
-struct Leading {
-  std::uint32_t top;
-  int shift;
+constexpr int squares_unit = 24;  // squares and their slopes are cut to 2^24 where they predict
 
-  Leading(std::uint64_t value, int bits) : top(0), shift(static_cast<int>(std::bit_width(value)) - bits) {
-    top = static_cast<std::uint32_t>(shift >= 0 ? value >> shift : value << -shift);
+// 1 / value in its leading 16 bits: 2^31 / inverse is value 2^-shift. Known from 2^15 on.
+struct Reciprocal {
+  std::int32_t inverse = 0;
+  int shift = 0;
+  bool negative;
+  bool known;
+
+  explicit Reciprocal(std::int32_t value) : negative(value < 0) {
+    const auto size = static_cast<std::uint32_t>(negative ? -value : value);
+    known = size >= 1U << 15;
+    if (!known) return;
+    shift = 16 - std::countl_zero(size);
+    inverse = static_cast<std::int32_t>((1U << 31) / (size >> shift) - 1);
+  }
+  // dividend / value with place_fraction bits, to about 2^-15 of itself.
+  [[nodiscard]] std::int32_t times(std::int32_t dividend) const {
+    const auto quotient = static_cast<std::int32_t>(std::int64_t{dividend >> shift} * inverse >> (31 - place_fraction));
+    return negative ? -quotient : quotient;
   }
 };
 
-// a / b with 14 bits of fraction, to about 2^-14 of itself, and at most 2^29 in size.
-std::int32_t quotient(std::int64_t a, std::int64_t b) {
-  constexpr std::int32_t most = 1 << 29;
-  const bool negative = (a < 0) != (b < 0);
-  const Leading dividend(static_cast<std::uint64_t>(a < 0 ? -a : a), 32);
-  const Leading divisor(static_cast<std::uint64_t>(b < 0 ? -b : b), 16);
-  if (divisor.top == 0) return most;
-  const int shift = dividend.shift - divisor.shift + place_fraction;  // of a quotient of 16 or 17 bits
-  std::int32_t size = most;
-  if (shift < -31) {
-    size = 0;
-  } else if (shift <= 12) {
-    const std::uint32_t q = dividend.top / divisor.top;
-    size = static_cast<std::int32_t>(shift < 0 ? q >> -shift : q << shift);
-  }
-  return negative ? -size : size;
+// In units of 2^squares_unit, at most 2^30 in size.
+std::int32_t cut(std::int64_t square) {
+  constexpr std::int32_t most = 1 << 30;
+  const std::int64_t value = square >> squares_unit;
+  const auto low = static_cast<std::int32_t>(value);
+  if (value == low && low < most && low > -most) return low;
+  return value < 0 ? -most : most;
 }
 
 // A dot with its level, where a piece may begin or end.
 struct Stop {
   LitDot dot;
   RidgeDot ridge;
-  std::int32_t level = 0;
+  std::int32_t level;
 
   [[nodiscard]] std::int32_t t() const { return dot.t; }
 };
 
-// A dot against the bar of a level: g = L^2 - t^2 |N|^2, which is f times something positive.
+// A dot against the bar of a level: g = L^2 - t^2 |N|^2, and its slope; cut, and 0 where that is not known.
 struct Probe {
   LitDot dot;
   LitSlope slope;
-  std::uint32_t square = 0;
-  std::int64_t g = 0, g1 = 0;  // and its slope, 0 where it is not known
-  std::int64_t margin = 0;
+  std::uint32_t square;
+  std::int32_t g, g1;
 };
 
-// Where the boundaries of a monotone piece are to be expected. Places have 14 bits of fraction, counted from the middle; slopes
-// are in 2^-20 level a dot, without their sign.
+// Where the boundaries of a monotone piece are to be expected, from left to right.
 class Forecast {
  public:
-  void add(std::int32_t place, std::int32_t slope) {
-    bend_ = known_ ? slope - slope_ : 0;
-    run_ = std::max<std::int32_t>(place - place_, 1);
+  // A boundary's place, and the way from level to level there.
+  void add(std::int32_t place, std::int32_t way) {
+    last_way_ = known_ ? way_ : way;
     place_ = place;
-    slope_ = slope;
+    way_ = way;
     known_ = true;
   }
-  // The next boundary to the right, a level on: the slope changes evenly, as it did between the last two.
+  // The way changes evenly from boundary to boundary [Adams, Bashforth].
   [[nodiscard]] std::int32_t next() const {
-    std::int32_t way = dots_for(slope_ + bend_ / 2);
-    if (bend_ != 0)
-      way = dots_for(slope_ + static_cast<std::int32_t>(
-                                  std::int64_t{bend_} * std::min<std::int32_t>(way / ((run_ >> 8) + 1), 1024) >> 9));
-    return place_ + way;
+    return place_ + std::clamp(way_ + (way_ - last_way_) / 2, way_ / 2, 2 * way_);
   }
 
  private:
-  [[nodiscard]] std::int32_t dots_for(std::int32_t slope) const {
-    const auto least = static_cast<std::uint32_t>(std::max<std::int32_t>(std::max(slope, slope_ >> 2), 16));
-    return static_cast<std::int32_t>((1U << 31) / least << 3);
-  }
-  std::int32_t place_ = 0, slope_ = 0, bend_ = 0, run_ = 1;
+  std::int32_t place_ = 0, way_ = 0, last_way_ = 0;
   bool known_ = false;
 };
 
 class SpanTracer {
  public:
   SpanTracer(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
-      : job_(job), y_(y), line_(job, y, x0, x1), ridge_(line_), painter_(job.painter, x0, 0) {
-    const LinePolynomial& d = line_.discriminant();
-    (void)d;
-    base_ =
-        static_cast<std::int32_t>((std::int64_t{job.table.levels - 1} * job.lighting.ambient << 4) / job.lighting.unit);
-  }
+      : job_(job),
+        y_(y),
+        line_(job, y, x0, x1),
+        ridge_(line_),
+        painter_(job.painter, x0, 0),
+        proof_margin_(static_cast<std::int32_t>(line_.deep_margin().squares >> squares_unit) +
+                      (1 << (31 - squares_unit))),
+        base_(static_cast<std::int32_t>((std::int64_t{job.table.levels - 1} * job.lighting.ambient << 4) /
+                                        job.lighting.unit)) {}
 
   void run(std::int32_t x0, std::int32_t x1);
 
  private:
   [[nodiscard]] std::uint32_t square(std::int32_t k) const { return job_.table.squares[static_cast<std::size_t>(k)]; }
-  [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k) {
+  [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k) const {
     const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
     return answer == Answer::unsure ? settle(dot.t, k) : answer == Answer::yes;
   }
-  [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) {
-    ++job_.counters.exact_levels;
-    return job_.exact.reaches_level(job_.face, job_.lighting, job_.table.levels, k, line_.middle() + t, y_);
+  [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
+    return reaches_level(job_, line_.middle() + t, y_, k);
   }
-  [[nodiscard]] Stop place_stop(std::int32_t t) const {
-    Stop stop;
-    stop.dot = line_.dot(t);
-    stop.ridge = ridge_.at(stop.dot, line_.root_error(stop.dot));
-    return stop;
+  [[nodiscard]] Stop stop_at(std::int32_t t) const {
+    const LitDot dot = line_.dot(t);
+    return {dot, ridge_.at(dot, line_.root_error(dot)), 0};
   }
   // Its level sought from a level near it, or -1.
-  void find_level(Stop& stop, std::int32_t near) {
+  void find_level(Stop& stop, std::int32_t near) const {
     stop.level = search_level(job_.table, near, [&](std::int32_t k) { return reaches(stop.dot, k); });
   }
 
   Stop dot_by_dot(const Stop& from, std::int32_t to);
-  Stop last_alike(Stop from, RidgeDot other, std::int32_t other_t) const;
+  Stop last_alike(Stop from, const RidgeDot& other, std::int32_t other_t) const;
   void ridge_between(const Stop& a, const Stop& b);
   void monotone(const Stop& a, const Stop& b);
-  std::int32_t boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess, Forecast& forecast);
-  bool probe(Probe& p, std::int32_t t, std::int32_t k);
+  std::int32_t boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
+                        Forecast& forecast) const;
+  bool probe(Probe& p, std::int32_t t, std::int32_t k) const;
+  std::int64_t measure(Probe& p, std::uint32_t square) const;
   [[nodiscard]] bool neighbour_fails(const Probe& p, std::int32_t e) const;
-  [[nodiscard]] std::int32_t steepness(const Probe& p, std::int32_t k) const;
+  [[nodiscard]] std::int32_t way(const Probe& p, const Reciprocal& slope, std::int32_t k) const;
 
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
@@ -144,14 +140,15 @@ class SpanTracer {
   LineSection line_;
   RidgeForm ridge_;
   RunPainter painter_;
-  std::int32_t base_ = 0;  // levels that ambient light alone gives, in sixteenths
+  std::int32_t proof_margin_;  // of g', for neighbour_fails
+  std::int32_t base_;          // levels that ambient light alone gives, in sixteenths
 };
 
 // Each dot after `from` up to `to` for itself.
 Stop SpanTracer::dot_by_dot(const Stop& from, std::int32_t to) {
   Stop at = from;
   for (std::int32_t t = from.t() + 1; t <= to; ++t) {
-    Stop next = place_stop(t);
+    Stop next = stop_at(t);
     find_level(next, at.level);
     if (next.level != at.level) turn(t, next.level);
     at = next;
@@ -161,21 +158,20 @@ Stop SpanTracer::dot_by_dot(const Stop& from, std::int32_t to) {
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
-Stop SpanTracer::last_alike(Stop from, RidgeDot other, std::int32_t other_t) const {
+Stop SpanTracer::last_alike(Stop from, const RidgeDot& other, std::int32_t other_t) const {
   std::int64_t w_from = from.ridge.w;
   std::int64_t w_other = other.w;
   for (int tries = 0;; ++tries) {
     const std::int32_t way = other_t - from.t();
     if (way == 1 || way == -1) return from;
     // Regula falsi, an end that stays halved [Dowell, Jarratt 1971]
-    const std::int64_t sum = w_from - w_other;
     std::int32_t step = way / 2;
-    if (tries < 8 && sum != 0) {
-      const std::int32_t part = quotient(w_from, sum);
-      step = static_cast<std::int32_t>(std::int64_t{way} * part >> place_fraction);
-      step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
+    if (tries < 8 && w_from != w_other) {
+      step =
+          static_cast<std::int32_t>(std::int64_t{way} * Reciprocal(w_from - w_other).times(w_from) >> place_fraction);
     }
-    const Stop next = place_stop(from.t() + step);
+    step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
+    const Stop next = stop_at(from.t() + step);
     if (next.ridge.sign() == from.ridge.sign()) {
       from = next;
       w_from = next.ridge.w;
@@ -192,75 +188,87 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   Stop left = last_alike(a, b.ridge, b.t());
   if (left.t() != a.t()) find_level(left, -1);
   monotone(a, left);
-  Stop right = place_stop(left.t() + 1);
+  Stop right = stop_at(left.t() + 1);
   if (right.ridge.sign() != b.ridge.sign()) right = last_alike(b, left.ridge, left.t());
-  const Stop end = dot_by_dot(left, right.t());
-  monotone(end, b);
+  monotone(dot_by_dot(left, right.t()), b);
 }
 
-bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) {
-  if (p.dot.t != t) {
-    p.dot = line_.dot(t);
-    p.slope = line_.slope(p.dot);
-  }
-  p.square = square(k);
-  const Margin margin = line_.margin(p.dot, p.square);
-  const Light& light = p.dot.light;
-  p.margin = margin.squares;
-  p.g = light.l * light.l - scale_by(p.square, light.n2);
+// Returns g itself.
+std::int64_t SpanTracer::measure(Probe& p, std::uint32_t square) const {
+  const auto l = static_cast<std::int32_t>(p.dot.light.l);
+  const std::int64_t g = std::int64_t{l} * l - scale_by(square, p.dot.light.n2);
+  p.square = square;
+  p.g = cut(g);
   p.g1 = 0;
-  if (p.slope.known) {
-    const std::int64_t n2 = p.slope.n2;
-    const std::int64_t fall = n2 < 0 ? -scale_by(p.square, -n2) : scale_by(p.square, n2);
-    p.g1 = 2 * light.l * p.slope.l - fall;
+  if (!p.slope.known) return g;
+  const std::int32_t fall = high_product(static_cast<std::int32_t>(square >> 1), p.slope.n2);  // of 2^29
+  p.g1 = cut(2 * std::int64_t{l} * p.slope.l - std::int64_t{fall} * (1 << 29));
+  return g;
+}
+
+// Whether dot t reaches level k.
+bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
+  p.dot = line_.dot(t);
+  p.slope = line_.slope(p.dot);
+  const std::int64_t g = measure(p, square(k));
+  const Margin& sure = line_.deep_margin();
+  if (line_.deep(p.dot) && p.dot.light.l > sure.light) {
+    if (g > sure.squares) return true;
+    if (g < -sure.squares) return false;
   }
-  if (light.l > margin.light) {
-    if (p.g > margin.squares) return true;
-    if (p.g < -margin.squares) return false;
-  } else if (light.l < -margin.light) {
-    return false;
-  }
-  return settle(t, k);
+  return reaches(p.dot, k);
 }
 
 // Whether the dot beside p's, e = -1 or 1 away, surely fails a level that p's reaches.
-//   f(X) <= L(X) - t N(X).N / |N|, since |N| is convex; so with s there within eps of its tangent, and |m| <= |v|,
-//     f(neighbour) <= f + e f' + 2 |v| eps.
-//   Times 2 L, where 2 L f <= g (1 + g / L^2), and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most:
-//     <= g + g / 16 + e g' + 4 L |v| eps,  where g <= L^2 / 32 and |(|N|^2)'| <= |N|^2 / 16.
-//   s' errs by less than 2^7 where LineSection::bent allows it, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2.
+//   f(X) <= L(X) - t N(X).N / |N|, since |N| is convex; so with s there within eps of its tangent
+//     f(neighbour) <= f + e f' + (|m| + |v|) eps.
+//   Times 2 L, where with t |N| = sqrt(L^2 - g) and g <= L^2 / 8
+//     2 L f = g (1 + f / (L + t |N|)) <= g (1 + 1/29),  and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most,
+//   so it is <= g + g / 16 + e g' + 2 L (|m| + |v|) eps where |(|N|^2)'| <= |N|^2 / 32.
+//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; what is cut in slope(), measure() and
+//   here adds less than 2^31.
 bool SpanTracer::neighbour_fails(const Probe& p, std::int32_t e) const {
-  const std::int64_t l = p.dot.light.l;
-  const std::int64_t rise = (e > 0 ? -p.g1 : p.g1) - (l << 10) - (std::int64_t{p.square} << 6);
-  const std::int64_t room = rise - p.g - (p.g >> 4) - p.margin;
-  if (room <= 0 || p.g > l * l >> 5) return false;
-  const std::int64_t n2_slope = p.slope.n2 < 0 ? -p.slope.n2 : p.slope.n2;
-  return n2_slope <= p.dot.light.n2 >> 4 && !line_.bent(p.dot, room);
+  if (!p.slope.steady) return false;
+  const auto l = static_cast<std::uint32_t>(p.dot.light.l);
+  const std::int32_t room = (e > 0 ? -p.g1 : p.g1) - p.g - (p.g >> 4) -
+                            static_cast<std::int32_t>((l >> 14) + (p.square >> 18)) - proof_margin_;
+  if (room <= 0 || p.g > static_cast<std::int32_t>(high_product(l, l) << 5)) return false;
+  const auto n2 = static_cast<std::int32_t>(p.dot.light.n2 >> 33);
+  return p.slope.n2 <= n2 && -p.slope.n2 <= n2 && line_.straight(p.dot, room);
 }
 
-// Levels a dot: level k stands at k - base, and f is proportional to it there.
-std::int32_t SpanTracer::steepness(const Probe& p, std::int32_t k) const {
-  constexpr std::int64_t most = std::int64_t{1} << 56;
-  const std::int64_t g1 = std::min(p.g1 < 0 ? -p.g1 : p.g1, most);
-  return quotient((g1 >> 6) * (16 * k - base_), p.dot.light.l * p.dot.light.l >> 7);
+// Dots from level to level: f' / f0 a dot, f0 = t |N| / (k - base) a level, and 2 L f' ~ g'.
+std::int32_t SpanTracer::way(const Probe& p, const Reciprocal& slope, std::int32_t k) const {
+  const auto l = static_cast<std::uint32_t>(p.dot.light.l);
+  const std::int32_t all = slope.times(static_cast<std::int32_t>(high_product(l, l)));  // in 2^8 dots, and twice
+  const std::int32_t sixteenths = std::max<std::int32_t>(16 * k - base_, 1);
+  const std::int32_t size = std::min<std::int32_t>(all < 0 ? -all : all, 1 << 22);
+  return std::min<std::int32_t>((size << 8) / sixteenths, 1 << 19) << 5;
 }
 
 // The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`.
 std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
-                                  Forecast& forecast) {
+                                  Forecast& forecast) const {
   const std::int32_t e = out > in ? 1 : -1;
   Probe p;
-  p.dot.t = guess - 1;
   for (int tries = 0;; ++tries) {
     const bool reached = probe(p, guess, k);
-    const std::int32_t place = p.g1 == 0 ? 0 : (guess << place_fraction) + quotient(-p.g, p.g1);
+    const Reciprocal slope(p.g1);
+    const std::int32_t place = (guess << place_fraction) - slope.times(p.g);
     (reached ? in : out) = guess;
-    if (in + e == out || (reached && neighbour_fails(p, e))) {
-      forecast.add(place, steepness(p, k));
+    if (reached && in + e != out) {
+      if (neighbour_fails(p, e) || !reaches(line_.dot(in + e), k)) {
+        out = in + e;
+      } else {
+        in += e;
+      }
+    }
+    if (in + e == out) {
+      forecast.add(place, way(p, slope, k));
       return in;
     }
     guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
-    if (tries > 3 || p.g1 == 0) guess = in + (out - in) / 2;
+    if (tries > 3 || !slope.known) guess = in + (out - in) / 2;
     guess = e > 0 ? std::clamp(guess, in + 1, out - 1) : std::clamp(guess, out + 1, in - 1);
   }
 }
@@ -268,37 +276,38 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
 void SpanTracer::monotone(const Stop& a, const Stop& b) {
   if (a.level == b.level) return;
   const bool rising = a.level < b.level;
+  const std::int32_t first = rising ? a.level + 1 : a.level;
+  const std::int32_t past = rising ? b.level + 1 : b.level;
+  Probe p;
+  p.dot = a.dot;
+  p.slope = line_.slope(a.dot);
+  measure(p, square(first));
+  std::int32_t place = (a.t() << place_fraction) - Reciprocal(p.g1).times(p.g);
+  std::int32_t known = a.t();  // fails the next level if rising, else reaches it
   Forecast forecast;
-  Probe first;
-  first.dot.t = a.t() + 1;
-  const std::int32_t first_k = rising ? a.level + 1 : a.level;
-  probe(first, a.t(), first_k);
-  std::int32_t place = (a.t() << place_fraction) + (first.g1 == 0 ? 1 << 20 : quotient(-first.g, first.g1));
-  std::int32_t known = a.t();
-  for (std::int32_t k = first_k; k != (rising ? b.level + 1 : b.level); k += rising ? 1 : -1) {
+  for (std::int32_t k = first; k != past; k += rising ? 1 : -1) {
     if (rising) {
       const std::int32_t guess = std::clamp(-(-place >> place_fraction), known + 1, b.t());
-      const std::int32_t x = boundary(k, b.t(), known, guess, forecast);
-      turn(x, k);
-      known = x - 1;
+      const std::int32_t t = boundary(k, b.t(), known, guess, forecast);
+      turn(t, k);
+      known = t - 1;
     } else {
       const std::int32_t guess = std::clamp(place >> place_fraction, known, b.t() - 1);
-      const std::int32_t x = boundary(k, known, b.t(), guess, forecast);
-      turn(x + 1, k - 1);
-      known = x;
+      known = boundary(k, known, b.t(), guess, forecast);
+      turn(known + 1, k - 1);
     }
     place = forecast.next();
   }
 }
 
 void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
-  if (line_.grazing()) {
+  if (line_.dark()) {
     painter_.change(x0, job_.table.ambient_level);
     painter_.end(x1);
     return;
   }
-  Stop a = place_stop(x0 - line_.middle());
-  Stop last = place_stop(x1 - line_.middle());
+  Stop a = stop_at(x0 - line_.middle());
+  Stop last = stop_at(x1 - line_.middle());
   find_level(a, -1);
   find_level(last, -1);
   painter_.change(x0, a.level);
@@ -309,7 +318,7 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
     Course course = Course::unsure;
     while (b.t() - a.t() > short_piece && (course = ridge_.course(a.ridge, b.ridge)) == Course::unsure &&
            a.ridge.sign() != 0) {
-      b = place_stop(a.t() + (b.t() - a.t()) / 2);
+      b = stop_at(a.t() + (b.t() - a.t()) / 2);
       find_level(b, a.level);
     }
     if (course == Course::unsure) {

@@ -12,19 +12,17 @@ constexpr std::int32_t form_error =
 // Product of two numbers of 30 bits of fraction.
 std::int32_t times(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::int64_t{a} * b >> 30); }
 
+int bits(std::uint64_t v) { return std::bit_width(v); }
 int sure_sign(std::int64_t value, std::int64_t error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
-// A polynomial in tau, cut to 30 bits of fraction.
-struct Cut {
-  std::int32_t c[3];
+// A polynomial in tau: its terms at tau = 1.
+struct Terms {
+  std::int64_t c[3];
 
-  Cut(const LinePolynomial& p, int half_bits, int shift)
-      : c{cut(p.v0, shift), cut(p.v1, shift - half_bits), cut(p.v2, shift - 2 * half_bits)} {}
-
- private:
-  static std::int32_t cut(std::int64_t v, int shift) {
-    return static_cast<std::int32_t>(shift >= 0 ? v >> shift
-                                                : static_cast<std::int64_t>(static_cast<std::uint64_t>(v) << -shift));
+  Terms(const LinePolynomial& p, int half_bits) : c{p.v0, p.v1 * (1LL << half_bits), p.v2 * (1LL << 2 * half_bits)} {}
+  [[nodiscard]] std::uint64_t size() const { return magnitude(c[0]) + magnitude(c[1]) + magnitude(c[2]); }
+  [[nodiscard]] std::int32_t cut(int i, int shift) const {
+    return static_cast<std::int32_t>(shift >= 0 ? c[i] >> shift : c[i] * (1LL << -shift));
   }
 };
 
@@ -50,21 +48,30 @@ Course course_of(const std::array<int, 5>& signs) {
 
 int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
 
-// The sizes of a polynomial's terms add up to at most 1, 1/2, 1/2, 1/8 for D, q, r, l, and |m| <= 1/8 (LineSection; light's scale is a
-// sixteenth). So no sum below reaches 1, nor do alpha, beta or w.
-RidgeForm::RidgeForm(const LineSection& line) : shift_(30 - line.half_bits()) {
+// The sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to 1/4 in l and m: light and square may be scaled at will, D as s
+// is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
+RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()) {
   const int hb = line.half_bits();
-  const Cut d(line.discriminant(), hb, 30);
-  const Cut q(line.square(), hb, 30);
-  const Cut r(line.square_root(), hb, 32);
-  const Cut l(line.light(), hb, 32);
-  const std::int32_t m = line.light_root() >> 4;
-  const auto [d0, d1, d2] = d.c;
-  const auto [q0, q1, q2] = q.c;
-  const std::int32_t r0 = r.c[0];
-  const std::int32_t r1 = r.c[1];
-  const std::int32_t l0 = l.c[0];
-  const std::int32_t l1 = l.c[1];
+  const Terms d(line.discriminant(), hb);
+  const Terms q(line.square(), hb);
+  const Terms r(line.square_root(), hb);
+  const Terms l(line.light(), hb);
+  root_shift_ = bits(d.size()) > 60 ? 1 : 0;
+  const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift_))) - 29;
+  const std::int64_t m28 = std::int64_t{line.light_root()} * (1 << LineSection::light_fraction);
+  const int l_shift = bits(l.size() + (magnitude(m28) << root_shift_)) - 28;
+  for (int i = 0; i < 3; ++i) d_[i] = d.cut(i, 30 + 2 * root_shift_);
+  const auto [d0, d1, d2] = d_;
+  const std::int32_t q0 = q.cut(0, q_shift);
+  const std::int32_t q1 = q.cut(1, q_shift);
+  const std::int32_t q2 = q.cut(2, q_shift);
+  // 32 bits of fraction and 30 of s against |N|^2; and s is scaled
+  const std::int32_t r0 = r.cut(0, q_shift + 2 - root_shift_);
+  const std::int32_t r1 = r.cut(1, q_shift + 2 - root_shift_);
+  const std::int32_t l0 = l.cut(0, l_shift);
+  const std::int32_t l1 = l.cut(1, l_shift);
+  const auto m = static_cast<std::int32_t>(l_shift >= root_shift_ ? m28 >> (l_shift - root_shift_)
+                                                                  : m28 * (1LL << (root_shift_ - l_shift)));
   // 2 l' r - l r' = e + l1 r1 tau,  l r = p0 + p1 tau + l1 r1 tau^2
   const std::int32_t l0r1 = times(l0, r1);
   const std::int32_t l1r0 = times(l1, r0);
@@ -78,16 +85,15 @@ RidgeForm::RidgeForm(const LineSection& line) : shift_(30 - line.half_bits()) {
   alpha_[1] =
       times(d0, l1r1) + times(d1, e) - times(d1, p1) / 2 - times(d2, p0) + 2 * times(m, times(d2, q0) - times(q2, d0));
   alpha_[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
-  std::copy(d.c, d.c + 3, d_);
 }
 
-RidgeDot RidgeForm::at(const LitDot& dot, std::int64_t root_error) const {
+RidgeDot RidgeForm::at(const LitDot& dot, std::int32_t root_error) const {
   RidgeDot p;
-  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(dot.t) << shift_);
-  p.s = static_cast<std::int32_t>(dot.root.s);
+  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(dot.t) << tau_shift_);
+  p.s = dot.s >> root_shift_;
   p.beta = beta_[0] + times(beta_[1], p.tau);
   p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(p.beta, p.s);
-  p.error = static_cast<std::int32_t>(root_error);
+  p.error = (root_error >> root_shift_) + root_shift_;
   return p;
 }
 

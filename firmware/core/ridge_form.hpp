@@ -21,11 +21,10 @@ namespace halfspace {
 
 // A dot of the section as the form needs it.
 struct RidgeDot {
-  std::int32_t tau = 0;   // 30 bits of fraction
-  std::int32_t s = 0;     // 30
-  std::int32_t beta = 0;  // at tau
-  std::int32_t w = 0;
-  std::int32_t error = 0;  // of s
+  std::int32_t tau, s;
+  std::int32_t beta;  // at tau
+  std::int32_t w;
+  std::int32_t error;  // of s
   // Of dI/dx: -1, 0 for unsure, 1.
   [[nodiscard]] int sign() const;
 };
@@ -37,13 +36,13 @@ class RidgeForm {
  public:
   explicit RidgeForm(const LineSection& line);
 
-  [[nodiscard]] RidgeDot at(const LitDot& dot, std::int64_t root_error) const;
+  [[nodiscard]] RidgeDot at(const LitDot& dot, std::int32_t root_error) const;
   // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
  private:
-  int shift_ = 0;
-  std::int32_t d_[3] = {}, alpha_[3] = {}, beta_[2] = {};
+  int tau_shift_, root_shift_;
+  std::int32_t d_[3], alpha_[3], beta_[2];
 };
 
 }  // namespace halfspace

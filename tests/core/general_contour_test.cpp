@@ -2,8 +2,6 @@
 // carry the proof: certified roots, and the course of the intensity.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "firmware/core/contour.hpp"
 #include "firmware/core/line_section.hpp"
 #include "firmware/core/ridge_form.hpp"
@@ -218,24 +216,6 @@ TEST(GeneralContour, FollowsBoundariesNotDots) {
   for (std::int32_t y = 100; y < 900; y += 7) expect_same_dots(face, lighting, 65, y, 1000, dice, tally);
   EXPECT_LT(tally.asked * 50, tally.dots);
   EXPECT_LT(tally.exact * 5000, tally.dots);
-}
-
-TEST(CertifiedRoot, IsWithinItsBound) {
-  Dice dice(37);
-  for (int trial = 0; trial < 200000; ++trial) {
-    const std::uint64_t d = dice() >> between(dice, 2, 63);
-    const Root root = certified_root(d);
-    const mpz_class s = static_cast<unsigned long>(root.s);
-    const mpz_class low = s > root_bound ? mpz_class(s - root_bound) : mpz_class(0);
-    const mpz_class value = static_cast<unsigned long>(d);
-    ASSERT_LE(low * low, value);
-    ASSERT_GE((s + root_bound) * (s + root_bound), value);
-    if (d < 1 << 20) continue;
-    // 1 / s = inverse 2^(shift - 62)
-    const double unit =
-        static_cast<double>(root.s) * static_cast<double>(root.inverse) * std::ldexp(1.0, root.shift - 62);
-    ASSERT_NEAR(unit, 1.0, root.s > 1 << 24 ? 1e-6 : 1e-2) << d;
-  }
 }
 
 }  // namespace
