@@ -85,10 +85,10 @@ class DotLevels {
       : job_(job), y_(y), line_(job, y, x0, x1) {}
 
   [[nodiscard]] const LineSection& line() const { return line_; }
+  [[nodiscard]] std::uint32_t square(std::int32_t k) const { return job_.table.squares[static_cast<std::size_t>(k)]; }
   [[nodiscard]] LitDot dot(std::int32_t x) const { return line_.dot(x - line_.middle()); }
   [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k) const {
-    const std::uint32_t square = job_.table.squares[static_cast<std::size_t>(k)];
-    const Answer answer = compare(dot.light, line_.margin(dot, square), square);
+    const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
     return answer == Answer::unsure ? reaches_level(job_, line_.middle() + dot.t, y_, k) : answer == Answer::yes;
   }
   // Sought from a level near it, or -1.
@@ -101,6 +101,31 @@ class DotLevels {
   std::int32_t y_;
   LineSection line_;
 };
+
+// --- between dots ---
+
+// A polynomial of the line u 2^-bits right of dot t, less than 2^9 too small; where the section's half is at least 32, so that
+// no product overflows and what is lost is small beside the polynomial's own error of half^2.
+constexpr std::int32_t least_half = 32;
+std::int64_t between(const LinePolynomial& p, std::int32_t t, std::int32_t u, int bits) {
+  const std::int64_t slope = p.slope(t) + ((p.v2 >> 8) * u >> (bits - 8));
+  return p.at(t) + ((slope >> 8) * u >> (bits - 8));
+}
+
+Light light_between(const LineSection& line, std::int32_t t, std::int32_t u, int bits, LitDot& dot) {
+  const std::int64_t d = between(line.discriminant(), t, u, bits);
+  dot.s = d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
+  dot.r = static_cast<std::int32_t>(between(line.square_root(), t, u, bits) >> 32);
+  dot.light.l = (between(line.light(), t, u, bits) >> LineSection::light_fraction) +
+                (std::int64_t{line.light_root()} * dot.s >> 30);
+  dot.light.n2 = std::max<std::int64_t>(between(line.square(), t, u, bits) + std::int64_t{dot.r} * dot.s, 0);
+  return dot.light;
+}
+
+// L^2 - t^2 |N|^2, with L's sign.
+std::int64_t excess(const Light& light, std::uint32_t square) {
+  return light.l * (light.l < 0 ? -light.l : light.l) - scale_by(square, light.n2);
+}
 
 // --- tracing a line ---
 
@@ -134,7 +159,7 @@ class Trace {
         const LitDot next = ++x == end ? b : levels_.dot(x);
         const std::int32_t before = level;
         level = levels_.level(next, before);
-        if (!add_step(x - 1, before, level, sure || is_monotone(a, next))) return false;
+        if (!add_step(x - 1, before, level, a, next, sure || is_monotone(a, next))) return false;
         a = next;
       }
     }
@@ -156,9 +181,53 @@ class Trace {
   }
   bool add_zone(std::int32_t x, Turn turn) { return add({parts(x), (1 << out_.part_bits) + zone_rim, turn}); }
   // From dot x to the next.
-  bool add_step(std::int32_t x, std::int32_t from, std::int32_t to, bool monotone) {
-    if (monotone) return from == to || add_turns({parts(x), 1 << out_.part_bits, Turn::up}, from, to);
+  bool add_step(std::int32_t x, std::int32_t from, std::int32_t to, const LitDot& a, const LitDot& b, bool monotone) {
+    if (monotone) {
+      for (; from < to; ++from) {
+        if (!add(narrowed(x, from + 1, Turn::up, a, b))) return false;
+      }
+      for (; from > to; --from) {
+        if (!add(narrowed(x, from, Turn::down, a, b))) return false;
+      }
+      return true;
+    }
     return add_zone(x, from == to ? Turn::soft_zone : Turn::zone) && add_turns({parts(x + 1), 0, Turn::up}, from, to);
+  }
+  // Where level k begins or ends between dots a and b, by regula falsi: a sign is asked a sixteenth of the interval beyond the
+  // root that is expected, so that both ends close in.
+  [[nodiscard]] Entry narrowed(std::int32_t x, std::int32_t k, Turn turn, const LitDot& a, const LitDot& b) const {
+    const LineSection& line = levels_.line();
+    const std::uint32_t square = levels_.square(k);
+    std::int32_t low = 0;
+    std::int32_t high = 1 << out_.part_bits;
+    if (line.half() < least_half) return {parts(x), high, turn};
+    std::int64_t low_excess = excess(a.light, square);
+    std::int64_t high_excess = excess(b.light, square);
+    for (int tries = 0; tries < 6 && high - low > 8; ++tries) {
+      const std::int32_t u = expected(low, high, low_excess, high_excess);
+      LitDot dot = a;
+      const Light light = light_between(line, a.t, u, out_.part_bits, dot);
+      const Margin margin = line.margin(dot, square);
+      const Answer answer = compare(light, {2 * margin.light, 2 * margin.squares}, square);
+      if (answer == Answer::unsure) break;
+      const bool beyond = (answer == Answer::yes) == (turn == Turn::up);
+      (beyond ? high : low) = u;
+      (beyond ? high_excess : low_excess) = excess(light, square);
+    }
+    return {parts(x) + low, high - low, turn};
+  }
+  static std::int32_t expected(std::int32_t low, std::int32_t high, std::int64_t low_excess, std::int64_t high_excess) {
+    const std::uint64_t a =
+        low_excess < 0 ? -static_cast<std::uint64_t>(low_excess) : static_cast<std::uint64_t>(low_excess);
+    const std::uint64_t b =
+        high_excess < 0 ? -static_cast<std::uint64_t>(high_excess) : static_cast<std::uint64_t>(high_excess);
+    const int shift = std::max(0, static_cast<int>(std::bit_width(a | b)) - 16);
+    const auto part = static_cast<std::uint32_t>(a >> shift);
+    const auto whole = part + static_cast<std::uint32_t>(b >> shift) + 1;
+    const std::int32_t width = high - low;
+    const auto root = static_cast<std::int32_t>(static_cast<std::uint32_t>(width) * part / whole);
+    return low +
+           std::clamp<std::int32_t>(2 * root < width ? root + width / 16 + 1 : root - width / 16 - 1, 1, width - 1);
   }
   bool add_turns(Entry entry, std::int32_t from, std::int32_t to) {
     entry.turn = from < to ? Turn::up : Turn::down;
