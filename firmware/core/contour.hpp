@@ -13,16 +13,23 @@
 #include "firmware/core/reaches_level.hpp"
 #include "firmware/core/shade.hpp"
 #include "firmware/core/sphere_contour.hpp"
+#include "firmware/core/straight_contour.hpp"
 
 namespace halfspace {
 
-enum class ContourKind : std::uint8_t { unknown, sphere, other };
+enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general };
 
 // What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
 struct FaceContours {
   ContourKind kind = ContourKind::unknown;
   SphereContours sphere;
+  StraightContours straight;
+  std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
 };
+
+// Whether the face is of the kind; sphere_contour's registers are made on the way.
+[[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
+[[nodiscard]] bool has_straight_contours(const ShadeJob& job);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);

@@ -54,7 +54,7 @@ class RowPainter {
 
 // A span's runs of one level from left to right, cheaper than fills: the stipple word under way stays in a register, so that a
 // change of level costs some dozen instructions and dots are stored 32 at a time. Keep it a local of the loop that feeds it.
-// Order   Made with the span's first dot; change() with dots that do not fall, inside the span; end() once, with the last dot.
+// Order   Made with the span's first dot; change() with dots of the span that do not fall; end() once, with the last dot.
 class RunPainter {
  public:
   RunPainter(const RowPainter& row, std::int32_t x0, std::int32_t level) : words_(row.words_.data()) {
@@ -93,12 +93,12 @@ class RunPainter {
     return left ^ ((left ^ right) & (0xffffffffU >> (x & 31)));
   }
   void flush(std::uint32_t* to) {
-    if (at_ == to) return;
+    if (at_ >= to) return;
     *at_++ = open_;
-    while (at_ != to) *at_++ = word_;
     open_ = word_;
+    while (at_ < to) *at_++ = word_;
   }
-  [[gnu::noinline]] void change_gray(std::int32_t x, std::int32_t level) {
+  void change_gray(std::int32_t x, std::int32_t level) {
     auto* dots = reinterpret_cast<std::uint8_t*>(words_);
     for (; x_ < x; ++x_) dots[x_] = static_cast<std::uint8_t>(word_);
     word_ = static_cast<std::uint32_t>(level);

@@ -105,72 +105,118 @@ class SphereSpan {
     const auto chord = static_cast<std::uint64_t>(chord_);
     reach_ = static_cast<std::int64_t>((chord >> 32) * c.reach + ((chord & 0xffffffffU) * c.reach >> 32));
     lift_ = static_cast<std::int32_t>(static_cast<std::int64_t>(c.c) * eta_ >> 30);
-    base_ = (static_cast<std::int64_t>(job.face.origin_x) << place_bits) + (centre_ >> (c.fraction - place_bits));
+    const std::int64_t base =
+        (static_cast<std::int64_t>(job.face.origin_x) << place_bits) + (centre_ >> (c.fraction - place_bits));
+    constexpr std::int64_t far = std::int64_t{41000} << place_bits;
+    is_near_ = base > -far && base < far;
+    base_ = static_cast<std::int32_t>(base);
   }
   // A line that grazes the sphere, or a job that lies.
-  [[nodiscard]] bool is_usable() const {
-    constexpr std::int64_t far = std::int64_t{41000} << place_bits;
-    return eta_ < c_.radius && eta_ > -c_.radius && base_ > -far && base_ < far;
-  }
+  [[nodiscard]] bool is_usable() const { return is_near_ && eta_ < c_.radius && eta_ > -c_.radius; }
 
   void paint() {
     const std::int32_t ka = level_at(x0_);
     const std::int32_t kb = level_at(x1_);
-    down_ = c_.b < 0;
-    const std::int32_t d = down_ ? -1 : 1;
-    const std::int32_t shift =
-        down_ ? -1 : 0;  // a dot inside level k's interval shows k + shift, one outside k + shift - d
-    const std::int32_t beyond = down_ ? job_.table.ambient_level : job_.table.top_level + 1;
+    // A dot inside level k's interval shows k + shift, one outside shows `step` less.
+    const std::int32_t step = is_dark() ? -1 : 1;
+    const std::int32_t shift = is_dark() ? -1 : 0;
+    const std::int32_t beyond = is_dark() ? job_.table.ambient_level : job_.table.top_level + 1;
+    const std::int32_t rise = (kb - ka) * step;
+    std::int32_t k = ka + 1 + shift;
     RunPainter run(job_.painter, x0_, ka);
-    std::uint32_t runs = 1;
-    std::int32_t k = down_ ? ka : ka + 1;
-    const std::int32_t inner = k - d;
-    std::int32_t rises = (kb - ka) * d;
-    // Intervals that the last dot lies in begin in the span and do not end there.
-    for (std::int32_t i = 0; i < rises; ++i, k += d) run.change(left_of(crossing(k), k), k + shift);
-    std::int32_t nested = 0;
-    for (; k != beyond; k += d) {
-      const Crossing at = crossing(k);
-      if (at.error < 0) break;
-      const std::int32_t left = left_of(at, k);
-      if (left <= x0_ || left > x1_) break;
-      const std::int32_t right = right_of(at, k);
-      if (right <= left) break;
-      run.change(left, k + shift);
-      job_.scratch[static_cast<std::size_t>(nested++)] = right;
-    }
-    runs += static_cast<std::uint32_t>(2 * nested + (rises < 0 ? -rises : rises));
-    while (nested > 0) {
-      k -= d;
-      run.change(job_.scratch[static_cast<std::size_t>(--nested)], k + shift - d);
-    }
-    // Intervals that the first dot lies in.
-    for (k = inner; rises < 0; ++rises, k -= d) run.change(right_of(crossing(k), k), k + shift - d);
+    // Intervals that the last dot lies in, but not the first, begin in the span; then come those inside it, nested.
+    Interval* const first = job_.scratch.data();
+    Interval* const nested = find<true, false>(k, std::max<std::int32_t>(rise, 0), first);
+    k += static_cast<std::int32_t>(nested - first) * step;
+    Interval* const last = find<true, true>(k, std::max<std::int32_t>((beyond - k) * step, 0), nested);
+    std::int32_t level = ka;
+    for (const Interval* at = first; at != last; ++at) run.change(*at & 0x7fff, level += step);
+    for (const Interval* at = last; at != nested;) run.change(*--at >> 16, level -= step);
+    // Intervals that the first dot lies in, but not the last, end in the span.
+    Interval* const end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), first);
+    for (const Interval* at = first; at != end; ++at) run.change(*at >> 16, level -= step);
     run.end(x1_);
-    job_.counters.level_spans += runs;
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + 2 * (last - nested) + (rise < 0 ? -rise : rise));
   }
 
  private:
+  using Interval = std::int32_t;  // first dot + 2^16 first dot beyond
   struct Crossing {
     std::int32_t centre, half, error;  // places; error < 0: the line misses the interval
   };
 
-  // Of level k's interval.
+  // The light comes from behind: a level's interval is where it is not reached, and intervals nest downwards.
+  [[nodiscard]] bool is_dark() const { return c_.b < 0; }
+
+  // t_k R, with 32 bits of fraction.
+  [[nodiscard]] std::int64_t bar_of(std::int32_t k) const {
+    return c_.bar_slope * (static_cast<std::int64_t>(k) * job_.lighting.unit -
+                           static_cast<std::int64_t>(job_.table.levels - 1) * job_.lighting.ambient);
+  }
   [[nodiscard]] Crossing crossing(std::int32_t k) const {
-    const std::int64_t threshold = static_cast<std::int64_t>(k) * job_.lighting.unit -
-                                   static_cast<std::int64_t>(job_.table.levels - 1) * job_.lighting.ambient;
-    const auto bar = static_cast<std::int32_t>(c_.bar_slope * threshold >> 32) - lift_;
+    const std::int32_t bar = static_cast<std::int32_t>(bar_of(k) >> 32) - lift_;
     const std::int64_t w2 = reach_ - static_cast<std::int64_t>(bar) * bar;
-    constexpr std::int64_t wide = std::int64_t{1} << 56;
     if (w2 < -slack) return {0, 0, -1};
     const std::int32_t w = w2 <= 0 ? 0 : quick_root(static_cast<std::uint64_t>(w2));
-    return {
-        static_cast<std::int32_t>(base_) + static_cast<std::int32_t>(static_cast<std::int64_t>(c_.alpha) * bar >> 32),
-        static_cast<std::int32_t>(static_cast<std::int64_t>(c_.beta) * w >> 32), w2 >= wide ? c_.sure : error_of(w)};
+    return {base_ + upper(c_.alpha, bar), upper(c_.beta, w), w2 >= wide ? c_.sure : error_of(w)};
   }
   [[nodiscard]] std::int32_t error_of(std::int32_t w) const {
-    const std::int32_t dw = w < 1 << 18 ? 1 << 19 : static_cast<std::int32_t>(slack / w) + 4;
+    const std::int32_t dw =
+        w < 1 << 18 ? 1 << 19 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(w) >> 4)) + 6;
     return 6 + ((14 + 2 * dw) >> (c_.fraction - place_bits));
+  }
+  static std::int32_t upper(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(a) * b >> 32);
+  }
+
+  // The intervals of levels from k on that begin, end, or both, in the span; those that must do both as long as they do.
+  template <bool begins, bool ends>
+  [[nodiscard]] Interval* find(std::int32_t k, std::int32_t count, Interval* out) const {
+    const std::int32_t step = begins == is_dark() ? -1 : 1;
+    for (;;) {
+      const std::int32_t found = find_plain<begins, ends>(k, count, out);
+      out += found;
+      count -= found;
+      if (count == 0) return out;
+      k += found * step;
+      const Crossing at = crossing(k);
+      if (at.error < 0 && begins && ends) return out;
+      std::int32_t left = begins ? left_of(at, k) : x0_;
+      std::int32_t right = ends ? right_of(at, k) : x1_;
+      if (begins && ends && (left <= x0_ || right <= left || right > x1_)) return out;
+      *out++ = std::min(right, x1_) << 16 | std::clamp(left, x0_, x1_);
+      --count;
+      k += step;
+    }
+  }
+
+  // The same as far as ends are certain: the loop that most of a sphere's time goes to, without a call.
+  template <bool begins, bool ends>
+  [[nodiscard, gnu::noinline]] std::int32_t find_plain(std::int32_t k, std::int32_t count, Interval* out) const {
+    std::int64_t bar = bar_of(k);
+    const std::int64_t bar_step = (begins == is_dark() ? -c_.bar_slope : c_.bar_slope) * job_.lighting.unit;
+    const std::int32_t unsure = 2 * c_.sure;
+    const std::int32_t base = base_ + c_.sure + one_dot - 1;
+    const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
+    const std::int64_t reach = reach_;
+    std::int32_t i = 0;
+    for (; i < count; ++i, bar += bar_step) {
+      const std::int32_t c = static_cast<std::int32_t>(bar >> 32) - lift;
+      const std::int64_t w2 = reach - static_cast<std::int64_t>(c) * c;
+      if (w2 < wide) break;
+      const std::int32_t half = upper(beta, quick_large_root(static_cast<std::uint64_t>(w2)));
+      const std::int32_t centre = base + upper(alpha, c);
+      const std::int32_t left = centre - half;
+      const std::int32_t right = centre + half + 1;
+      if (begins && (left & (one_dot - 1)) < unsure) break;
+      if (ends && (right & (one_dot - 1)) < unsure) break;
+      const std::int32_t first = begins ? left >> place_bits : x0;
+      const std::int32_t behind = ends ? right >> place_bits : x1;
+      if (begins ? first <= x0 || behind < first || (ends && behind == first) : behind <= x0) break;
+      if (behind > x1) break;
+      *out++ = behind << 16 | first;
+    }
+    return i;
   }
 
   // The first dot inside.
@@ -189,7 +235,7 @@ class SphereSpan {
   [[nodiscard, gnu::noinline]] std::int32_t first(bool inside, std::int32_t from, std::int32_t to,
                                                   std::int32_t k) const {
     for (from = std::max(from, x0_); from < to && from <= x1_; ++from) {
-      if ((reaches_level(job_, from, y_, k) != down_) == inside) return from;
+      if ((reaches_level(job_, from, y_, k) != is_dark()) == inside) return from;
     }
     return to;
   }
@@ -203,7 +249,8 @@ class SphereSpan {
         static_cast<std::int32_t>((static_cast<std::int64_t>(c_.a) * xi + static_cast<std::int64_t>(c_.b) * s +
                                    static_cast<std::int64_t>(c_.c) * eta_) >>
                                   30);
-    const std::int32_t ds = s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((slack / 2) / s) + 4;
+    const std::int32_t ds =
+        s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(s) >> 3)) + 6;
     const std::int64_t level = c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32);
     const std::int32_t error = 6 + ((ds + 11) >> 5);
     return level_between(job_, x, y_, clamped((level - error) >> 16), clamped((level + error) >> 16));
@@ -213,24 +260,22 @@ class SphereSpan {
   }
 
   static constexpr std::int64_t slack = std::int64_t{1} << 35;  // error of w^2
+  static constexpr std::int64_t wide = std::int64_t{1} << 56;   // w^2 of a quarter of the radius or more
 
   const ShadeJob& job_;
   const SphereContours& c_;
   std::int32_t y_, x0_, x1_;
-  std::int32_t eta_, lift_ = 0;
-  std::int64_t centre_, chord_, reach_ = 0, base_ = 0;
-  bool down_ = false;
+  std::int32_t eta_, lift_, base_;
+  std::int64_t centre_, chord_, reach_;
+  bool is_near_;
 };
 
 }  // namespace
 
+bool has_sphere_contours(const ShadeJob& job) { return make_sphere(job, job.contours->sphere); }
+
 bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  FaceContours& contours = *job.contours;
-  if (contours.kind == ContourKind::unknown) {
-    contours.kind = make_sphere(job, contours.sphere) ? ContourKind::sphere : ContourKind::other;
-  }
-  if (contours.kind != ContourKind::sphere) return false;
-  SphereSpan span(job, contours.sphere, y, x0, x1);
+  SphereSpan span(job, job.contours->sphere, y, x0, x1);
   if (!span.is_usable()) return false;
   span.paint();
   return true;
