@@ -51,11 +51,9 @@ std::int32_t cut(std::int64_t square) {
 
 // A dot with its level, where a piece may begin or end.
 struct Stop {
-  LitDot dot;
+  std::int32_t t;
   RidgeDot ridge;
   std::int32_t level;
-
-  [[nodiscard]] std::int32_t t() const { return dot.t; }
 };
 
 // A dot against the bar of a level: g = L^2 - t^2 |N|^2, and its slope; cut, and 0 where that is not known.
@@ -94,7 +92,7 @@ class SpanTracer {
         line_(job, y, x0, x1),
         ridge_(line_),
         painter_(job.painter, x0, 0),
-        proof_margin_(static_cast<std::int32_t>(line_.deep_margin().squares >> squares_unit) +
+        proof_margin_(static_cast<std::int32_t>(line_.quick_margin().squares >> squares_unit) +
                       (1 << (31 - squares_unit))),
         base_(static_cast<std::int32_t>((std::int64_t{job.table.levels - 1} * job.lighting.ambient << 4) /
                                         job.lighting.unit)) {}
@@ -103,24 +101,40 @@ class SpanTracer {
 
  private:
   [[nodiscard]] std::uint32_t square(std::int32_t k) const { return job_.table.squares[static_cast<std::size_t>(k)]; }
+  // Whether a quick dot reaches level k, its g = L^2 - t^2 |N|^2 given or not.
+  [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k, std::int64_t g) const {
+    const Margin& sure = line_.quick_margin();
+    if (line_.deep(dot) && dot.light.l > sure.light) {
+      if (g > sure.squares) return true;
+      if (g < -sure.squares) return false;
+    }
+    return settle(dot.t, k);
+  }
   [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k) const {
-    const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
-    return answer == Answer::unsure ? settle(dot.t, k) : answer == Answer::yes;
+    return reaches(dot, k, dot.light.l * dot.light.l - scale_by(square(k), dot.light.n2));
   }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
-    return reaches_level(job_, line_.middle() + t, y_, k);
-  }
-  [[nodiscard]] Stop stop_at(std::int32_t t) const {
     const LitDot dot = line_.dot(t);
-    return {dot, ridge_.at(dot, line_.root_error(dot)), 0};
+    const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
+    return answer == Answer::unsure ? reaches_level(job_, line_.middle() + t, y_, k) : answer == Answer::yes;
+  }
+  [[nodiscard]] RidgeDot ridge_at(std::int32_t t) const {
+    const std::int32_t s = line_.root(t);
+    return ridge_.at(t, s, line_.root_error(s));
   }
   // Its level sought from a level near it, or -1.
-  void find_level(Stop& stop, std::int32_t near) const {
-    stop.level = search_level(job_.table, near, [&](std::int32_t k) { return reaches(stop.dot, k); });
+  [[nodiscard]] Stop stop_at(std::int32_t t, const RidgeDot& ridge, std::int32_t near) const {
+    const LitDot dot = line_.quick_dot(t);
+    return {t, ridge, search_level(job_.table, near, [&](std::int32_t k) { return reaches(dot, k); })};
   }
+  [[nodiscard]] Stop stop_at(std::int32_t t, std::int32_t near) const { return stop_at(t, ridge_at(t), near); }
 
   Stop dot_by_dot(const Stop& from, std::int32_t to);
-  Stop last_alike(Stop from, const RidgeDot& other, std::int32_t other_t) const;
+  struct RidgeStop {
+    std::int32_t t;
+    RidgeDot ridge;
+  };
+  RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
   void monotone(const Stop& a, const Stop& b);
   std::int32_t boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
@@ -146,51 +160,48 @@ class SpanTracer {
 
 // Each dot after `from` up to `to` for itself.
 Stop SpanTracer::dot_by_dot(const Stop& from, std::int32_t to) {
-  Stop at = from;
-  for (std::int32_t t = from.t() + 1; t <= to; ++t) {
-    Stop next = stop_at(t);
-    find_level(next, at.level);
-    if (next.level != at.level) turn(t, next.level);
-    at = next;
+  std::int32_t level = from.level;
+  for (std::int32_t t = from.t + 1; t <= to; ++t) {
+    const LitDot dot = line_.quick_dot(t);
+    const std::int32_t next = search_level(job_.table, level, [&](std::int32_t k) { return reaches(dot, k); });
+    if (next != level) turn(t, next);
+    level = next;
     ++job_.counters.intensities;
   }
-  return at;
+  return {to, ridge_at(to), level};
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
-Stop SpanTracer::last_alike(Stop from, const RidgeDot& other, std::int32_t other_t) const {
-  std::int64_t w_from = from.ridge.w;
-  std::int64_t w_other = other.w;
+SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) const {
+  const int sign = from.ridge.sign();
   for (int tries = 0;; ++tries) {
-    const std::int32_t way = other_t - from.t();
+    const std::int32_t way = other.t - from.t;
     if (way == 1 || way == -1) return from;
     // Regula falsi, an end that stays halved [Dowell, Jarratt 1971]
+    const Reciprocal slope((from.ridge.w >> 1) - (other.ridge.w >> 1));
     std::int32_t step = way / 2;
-    if (tries < 8 && w_from != w_other) {
-      step =
-          static_cast<std::int32_t>(std::int64_t{way} * Reciprocal(w_from - w_other).times(w_from) >> place_fraction);
+    if (tries < 8 && slope.known) {
+      step = static_cast<std::int32_t>(std::int64_t{way} * slope.times(from.ridge.w >> 1) >> place_fraction);
     }
     step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
-    const Stop next = stop_at(from.t() + step);
-    if (next.ridge.sign() == from.ridge.sign()) {
+    const RidgeStop next{from.t + step, ridge_at(from.t + step)};
+    if (next.ridge.sign() == sign) {
       from = next;
-      w_from = next.ridge.w;
-      w_other /= 2;
+      other.ridge.w /= 2;
     } else {
-      other_t = next.t();
-      w_other = next.ridge.w;
-      w_from /= 2;
+      other = next;
+      from.ridge.w /= 2;
     }
   }
 }
 
 void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
-  Stop left = last_alike(a, b.ridge, b.t());
-  if (left.t() != a.t()) find_level(left, -1);
+  const RidgeStop first = last_alike({a.t, a.ridge}, {b.t, b.ridge});
+  const Stop left = first.t == a.t ? a : stop_at(first.t, first.ridge, -1);
   monotone(a, left);
-  Stop right = stop_at(left.t() + 1);
-  if (right.ridge.sign() != b.ridge.sign()) right = last_alike(b, left.ridge, left.t());
-  monotone(dot_by_dot(left, right.t()), b);
+  RidgeStop last{left.t + 1, ridge_at(left.t + 1)};
+  if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.t, b.ridge}, first);
+  monotone(dot_by_dot(left, last.t), b);
 }
 
 // Returns g itself.
@@ -208,15 +219,9 @@ std::int64_t SpanTracer::measure(Probe& p, std::uint32_t square) const {
 
 // Whether dot t reaches level k.
 bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
-  p.dot = line_.dot(t);
+  p.dot = line_.quick_dot(t);
   p.slope = line_.slope(p.dot);
-  const std::int64_t g = measure(p, square(k));
-  const Margin& sure = line_.deep_margin();
-  if (line_.deep(p.dot) && p.dot.light.l > sure.light) {
-    if (g > sure.squares) return true;
-    if (g < -sure.squares) return false;
-  }
-  return reaches(p.dot, k);
+  return reaches(p.dot, k, measure(p, square(k)));
 }
 
 // Whether the dot beside p's, e = -1 or 1 away, surely fails a level that p's reaches.
@@ -257,7 +262,7 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
     const std::int32_t place = (guess << place_fraction) - slope.times(p.g);
     (reached ? in : out) = guess;
     if (reached && in + e != out) {
-      if (neighbour_fails(p, e) || !reaches(line_.dot(in + e), k)) {
+      if (neighbour_fails(p, e) || !reaches(line_.quick_dot(in + e), k)) {
         out = in + e;
       } else {
         in += e;
@@ -279,21 +284,21 @@ void SpanTracer::monotone(const Stop& a, const Stop& b) {
   const std::int32_t first = rising ? a.level + 1 : a.level;
   const std::int32_t past = rising ? b.level + 1 : b.level;
   Probe p;
-  p.dot = a.dot;
-  p.slope = line_.slope(a.dot);
+  p.dot = line_.quick_dot(a.t);
+  p.slope = line_.slope(p.dot);
   measure(p, square(first));
-  std::int32_t place = (a.t() << place_fraction) - Reciprocal(p.g1).times(p.g);
-  std::int32_t known = a.t();  // fails the next level if rising, else reaches it
+  std::int32_t place = (a.t << place_fraction) - Reciprocal(p.g1).times(p.g);
+  std::int32_t known = a.t;  // fails the next level if rising, else reaches it
   Forecast forecast;
   for (std::int32_t k = first; k != past; k += rising ? 1 : -1) {
     if (rising) {
-      const std::int32_t guess = std::clamp(-(-place >> place_fraction), known + 1, b.t());
-      const std::int32_t t = boundary(k, b.t(), known, guess, forecast);
+      const std::int32_t guess = std::clamp(-(-place >> place_fraction), known + 1, b.t);
+      const std::int32_t t = boundary(k, b.t, known, guess, forecast);
       turn(t, k);
       known = t - 1;
     } else {
-      const std::int32_t guess = std::clamp(place >> place_fraction, known, b.t() - 1);
-      known = boundary(k, known, b.t(), guess, forecast);
+      const std::int32_t guess = std::clamp(place >> place_fraction, known, b.t - 1);
+      known = boundary(k, known, b.t, guess, forecast);
       turn(known + 1, k - 1);
     }
     place = forecast.next();
@@ -306,24 +311,21 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
     painter_.end(x1);
     return;
   }
-  Stop a = stop_at(x0 - line_.middle());
-  Stop last = stop_at(x1 - line_.middle());
-  find_level(a, -1);
-  find_level(last, -1);
+  Stop a = stop_at(x0 - line_.middle(), -1);
+  const Stop last = stop_at(x1 - line_.middle(), -1);
   painter_.change(x0, a.level);
   ++job_.counters.level_spans;
   std::int32_t skip = 1;
-  while (a.t() < last.t()) {
+  while (a.t < last.t) {
     Stop b = last;
     Course course = Course::unsure;
-    while (b.t() - a.t() > short_piece && (course = ridge_.course(a.ridge, b.ridge)) == Course::unsure &&
+    while (b.t - a.t > short_piece && (course = ridge_.course(a.ridge, b.ridge)) == Course::unsure &&
            a.ridge.sign() != 0) {
-      b = stop_at(a.t() + (b.t() - a.t()) / 2);
-      find_level(b, a.level);
+      b = stop_at(a.t + (b.t - a.t) / 2, a.level);
     }
     if (course == Course::unsure) {
       skip = std::min<std::int32_t>(2 * skip, 64);
-      a = dot_by_dot(a, a.ridge.sign() == 0 ? std::min(a.t() + skip, last.t()) : b.t());
+      a = dot_by_dot(a, a.ridge.sign() == 0 ? std::min(a.t + skip, last.t) : b.t);
       continue;
     }
     skip = 1;

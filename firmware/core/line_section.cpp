@@ -51,11 +51,17 @@ std::uint32_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part
   return bend >> 32 != 0 ? ~0U : static_cast<std::uint32_t>(bend);
 }
 
-// v1 in quarters: 2 v2 2^half_bits reaches twice the steepest slope.
-LineSlope slope_of(const LinePolynomial& p, int half_bits, int shift) {
-  const int down = shift + 1 - half_bits;
-  const std::int64_t v1 = down >= 0 ? p.v2 >> down : p.v2 << -down;
-  return {static_cast<std::int32_t>(p.v1 >> shift), static_cast<std::int32_t>(v1)};
+// In units of 2^unit. The terms at tau = 1 are up to 2 and 4 times those at the ends.
+ShortPolynomial shortened(const LinePolynomial& p, int half_bits, int unit) {
+  const auto cut = [](std::int64_t v, int shift) {
+    return static_cast<std::int32_t>(shift >= 0 ? v >> shift : v * (1LL << -shift));
+  };
+  return {cut(p.v0, unit), cut(p.v1, unit + 2 - half_bits), cut(p.v2, unit + 3 - 2 * half_bits)};
+}
+
+// Its slope: v1 + 2 v2 t.
+ShortPolynomial slope_of(const LinePolynomial& p, int half_bits, int unit) {
+  return shortened({p.v1, 2 * p.v2, 0}, half_bits, unit);
 }
 
 }  // namespace
@@ -114,8 +120,15 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   deep_from_ = half_ * half_ + half_ + 2;
   errors_[0] = errors_for(half_ + 6);
   errors_[1] = errors_for(6);
-  const LitDot brightest{0, deep_from_, 0, {std::int64_t{1} << 30, std::int64_t{1} << square_bits}};
-  deep_margin_ = margin(brightest, ~0U);
+  short_q_ = shortened(q_, half_bits_, short_unit);
+  short_r_ = shortened(r_, half_bits_, root_fraction);
+  short_l_ = shortened(l_, half_bits_, light_fraction);
+  // What is short adds 16 units to l, 16 s to r s and 40 2^short_unit to q: the last two less than 2^35.
+  Errors quick = errors_[1];
+  quick.light += 16;
+  quick.light_squared = std::uint64_t{quick.light} * quick.light;
+  quick.square += 1U << (35 - error_unit);
+  quick_margin_ = margin_of(quick, {std::int64_t{1} << 30, std::int64_t{1} << square_bits}, ~0U);
 }
 
 LineSection::Errors LineSection::errors_for(std::int64_t root_error) const {

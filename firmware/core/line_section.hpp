@@ -41,11 +41,15 @@ constexpr std::int32_t high_product(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(std::int64_t{a} * b >> 32);
 }
 
-// A polynomial's slope along the line: v0 + 4 v1 tau, tau = t 2^-half_bits in 31 bits.
-struct LineSlope {
-  std::int32_t v0 = 0, v1 = 0;
+// A polynomial of the line in 32 bits: v0 + 4 v1 tau + 8 v2 tau^2, tau = t 2^-half_bits with 31 bits of fraction. Without v2 a value
+// is off by less than 16 units, with it by 40: a cut v2 counts 8, v1 4, v0 1, the products 16 and 8.
+struct ShortPolynomial {
+  std::int32_t v0 = 0, v1 = 0, v2 = 0;
 
-  [[nodiscard]] std::int32_t at(std::int32_t tau) const { return v0 + (high_product(v1, tau) << 3); }
+  [[nodiscard]] std::int32_t linear(std::int32_t tau) const { return v0 + (high_product(v1, tau) << 3); }
+  [[nodiscard]] std::int32_t at(std::int32_t tau) const {
+    return v0 + (high_product(v1 + (high_product(v2, tau) << 2), tau) << 3);
+  }
 };
 
 // One dot of the section; its level follows from `light`.
@@ -70,15 +74,31 @@ class LineSection {
   // L = 0 on the whole line.
   [[nodiscard]] bool dark() const { return dark_; }
 
-  [[nodiscard, gnu::always_inline]] LitDot dot(std::int32_t t) const {
+  [[nodiscard]] LitDot dot(std::int32_t t) const {
     LitDot dot;
     dot.t = t;
-    const std::int64_t d = d_.at(t);
-    dot.s = d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
+    dot.s = root(t);
     dot.r = static_cast<std::int32_t>(r_.linear(t) >> 32);
     dot.light.l = (l_.linear(t) >> light_fraction) + (std::int64_t{m_} * dot.s >> 30);
     // The error of s can take a small |N|^2 below 0; the true one is not.
     dot.light.n2 = std::max<std::int64_t>(q_.at(t) + std::int64_t{dot.r} * dot.s, 0);
+    return dot;
+  }
+  // s alone.
+  [[nodiscard, gnu::always_inline]] std::int32_t root(std::int32_t t) const {
+    const std::int64_t d = d_.at(t);
+    return d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
+  }
+  // The dot in shorter words, to within quick_margin() where it is deep().
+  [[nodiscard, gnu::always_inline]] LitDot quick_dot(std::int32_t t) const {
+    LitDot dot;
+    const std::int32_t tau = t << tau_shift_;
+    dot.t = t;
+    dot.s = root(t);
+    dot.r = short_r_.linear(tau);
+    dot.light.l = short_l_.linear(tau) + static_cast<std::int32_t>(std::int64_t{m_} * dot.s >> 30);
+    dot.light.n2 =
+        std::max<std::int64_t>(std::int64_t{short_q_.at(tau)} * (1 << short_unit) + std::int64_t{dot.r} * dot.s, 0);
     return dot;
   }
   // Not known at limbs; steady where s' is off by less than 2^7 and at most s / 16, and |D2| at most s^2 / 9.
@@ -86,29 +106,24 @@ class LineSection {
     LitSlope slope{0, 0, 0, dot.s >= sloped_from_, false};
     if (!slope.known) return slope;
     const std::int32_t tau = dot.t << tau_shift_;
-    slope.s = halved_ratio(d_slope_.at(tau), dot.s);
+    slope.s = halved_ratio(d_slope_.linear(tau), dot.s);
     const std::int32_t size = slope.s < 0 ? -slope.s : slope.s;
     slope.known = size < 1 << 29;
     slope.steady = size < dot.s >> 4 && dot.s >= steady_from_;
     slope.l = l_slope_ + static_cast<std::int32_t>(std::int64_t{m_} * slope.s >> 30);
-    slope.n2 = q_slope_.at(tau) + high_product(r_slope_, dot.s) +
+    slope.n2 = q_slope_.linear(tau) + high_product(r_slope_, dot.s) +
                static_cast<std::int32_t>(std::int64_t{dot.r} * slope.s >> 28);
     return slope;
   }
 
   // What s may be off by at a dot.
-  [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return dot.s >= deep_from_ ? 6 : half_ + 6; }
-  // A bound of margin() for every square, away from limbs.
+  [[nodiscard]] std::int32_t root_error(std::int32_t s) const { return s >= deep_from_ ? 6 : half_ + 6; }
+  // Of a quick dot away from limbs, for every square.
   [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
-  [[nodiscard]] const Margin& deep_margin() const { return deep_margin_; }
-  // Of L, and of L^2 - square |N|^2 / 2^32.
+  [[nodiscard]] const Margin& quick_margin() const { return quick_margin_; }
+  // Of dot(): of L, and of L^2 - square |N|^2 / 2^32.
   [[nodiscard]] Margin margin(const LitDot& dot, std::uint32_t square) const {
-    const Errors& e = errors_[dot.s >= deep_from_ ? 1 : 0];
-    const std::int64_t l = dot.light.l < 0 ? -dot.light.l : dot.light.l;
-    const std::uint64_t from_l = std::uint64_t{static_cast<std::uint32_t>(l)} * (2 * e.light) + e.light_squared;
-    const std::uint64_t from_n = (std::uint64_t{square} * e.square >> 32) + 1;
-    // The rest: a square is rounded by less than 2^-32, its two products by less than 1 each.
-    return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (dot.light.n2 >> 32) + 4};
+    return margin_of(errors_[deep(dot) ? 1 : 0], dot.light, square);
   }
 
   // Where a slope is steady: whether, to the neighbouring dots, s leaves its tangent by so little, eps, that eps times what L - t |N|
@@ -131,6 +146,7 @@ class LineSection {
   [[nodiscard]] std::int32_t light_root() const { return m_; }            // of 2^30 parts
 
   static constexpr int light_fraction = 28;
+  static constexpr int short_unit = 28;  // log2 of the unit of short_q_
 
  private:
   static constexpr int error_unit = 10;
@@ -149,6 +165,12 @@ class LineSection {
         static_cast<std::int32_t>(guess << 14) + (static_cast<std::int32_t>(guess) * (rest >> 2) >> 15);
     return high_product(d, inverse) >> (31 - slope_shift_ - zeros);
   }
+  [[nodiscard]] static Margin margin_of(const Errors& e, const Light& light, std::uint32_t square) {
+    const std::uint64_t from_l = (magnitude(light.l) & 0xffffffffU) * (2 * e.light) + e.light_squared;
+    const std::uint64_t from_n = (std::uint64_t{square} * e.square >> 32) + 1;
+    // The rest: a square is rounded by less than 2^-32, its two products by less than 1 each.
+    return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (light.n2 >> 32) + 4};
+  }
   [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
 
   LinePolynomial d_, q_, r_, l_;
@@ -156,15 +178,16 @@ class LineSection {
   std::int32_t middle_ = 0, half_ = 0;
   int half_bits_ = 0;
   int tau_shift_ = 0;
-  int slope_shift_ = 0;  // d_slope_ in 2^slope_shift
-  LineSlope d_slope_, q_slope_;
+  int slope_shift_ = 0;                // d_slope_ in 2^slope_shift
+  ShortPolynomial d_slope_, q_slope_;  // of the latter a unit is 2^28
+  ShortPolynomial short_q_, short_r_, short_l_;
   std::int32_t r_slope_ = 0, l_slope_ = 0;
   std::int32_t deep_from_ = 0;                      // from this s on its error is 6
   std::int32_t sloped_from_ = 0, steady_from_ = 0;  // see slope()
   std::uint32_t bend_ = 0;                          // see straight()
   bool dark_ = false;
   Errors errors_[2] = {};  // at a limb, and elsewhere
-  Margin deep_margin_;
+  Margin quick_margin_;
 };
 
 }  // namespace halfspace

@@ -87,10 +87,10 @@ RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()
   alpha_[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
 }
 
-RidgeDot RidgeForm::at(const LitDot& dot, std::int32_t root_error) const {
+RidgeDot RidgeForm::at(std::int32_t t, std::int32_t s, std::int32_t root_error) const {
   RidgeDot p;
-  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(dot.t) << tau_shift_);
-  p.s = dot.s >> root_shift_;
+  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(t) << tau_shift_);
+  p.s = s >> root_shift_;
   p.beta = beta_[0] + times(beta_[1], p.tau);
   p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(p.beta, p.s);
   p.error = (root_error >> root_shift_) + root_shift_;
