@@ -95,6 +95,12 @@ class DotLevels {
     const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
     return answer == Answer::unsure ? reaches_level(job_, line_.middle() + dot.t, y_, k) : answer == Answer::yes;
   }
+  // From dot a to b.
+  [[nodiscard]] bool is_monotone(const RidgeForm& form, const LitDot& a, const LitDot& b) const {
+    const Course course =
+        form.course(form.at(a.t, a.s, line_.root_error(a.s)), form.at(b.t, b.s, line_.root_error(b.s)));
+    return course == Course::rising || course == Course::falling;
+  }
   // Sought from a level near it, or -1.
   [[nodiscard]] std::int32_t level(const LitDot& dot, std::int32_t near) const {
     return search_level(job_.table, near, [&](std::int32_t k) { return reaches(dot, k); });
@@ -171,11 +177,7 @@ class Trace {
   }
 
  private:
-  [[nodiscard]] bool is_monotone(const LitDot& a, const LitDot& b) const {
-    const Course course =
-        form_.course(form_.at(a, levels_.line().root_error(a)), form_.at(b, levels_.line().root_error(b)));
-    return course == Course::rising || course == Course::falling;
-  }
+  [[nodiscard]] bool is_monotone(const LitDot& a, const LitDot& b) const { return levels_.is_monotone(form_, a, b); }
   [[nodiscard]] std::int32_t parts(std::int32_t x) const { return (x - out_.first) << out_.part_bits; }
 
   bool add(const Entry& entry) {
@@ -440,11 +442,7 @@ class StraightSpan {
   // From dot x to the next, both of the span.
   [[nodiscard]] bool is_monotone(const DotLevels& levels, std::int32_t x) const {
     if (x < x0_ || x >= x1_) return false;
-    const RidgeForm form(levels.line());
-    const LitDot a = levels.dot(x);
-    const LitDot b = levels.dot(x + 1);
-    const Course course = form.course(form.at(a, levels.line().root_error(a)), form.at(b, levels.line().root_error(b)));
-    return course == Course::rising || course == Course::falling;
+    return levels.is_monotone(RidgeForm(levels.line()), levels.dot(x), levels.dot(x + 1));
   }
   [[nodiscard]] bool is_left_of(std::int32_t x, std::int32_t b) const {
     return x << s_.part_bits <= base_ + upper(static_cast<std::uint32_t>(b) << 8) - place_error;
