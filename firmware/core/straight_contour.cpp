@@ -14,6 +14,7 @@ constexpr int most_part_bits = 13;
 constexpr std::int32_t place_error = 4;  // parts: three roundings down, and the scale's error on a b of 24 bits
 constexpr std::int32_t zone_rim = 32;  // parts that a zone takes beyond its right dot, more than what a dot is asked by
 constexpr std::int32_t reach_beyond = 64;  // dots traced beyond a span, as far as the face goes
+constexpr std::uint32_t least_dots = 32;   // of a span: a shorter one is not worth a trace
 constexpr std::uint32_t patience = 3;      // a trace costs some lines shaded otherwise: once in so many
 
 // --- the face ---
@@ -486,11 +487,14 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
   StraightSpan span(job, y, x0, x1);
   if (span.is_usable()) {
+    if (static_cast<std::uint32_t>(s.entries) > 4 * dots + 128) return false;
     span.paint();
     return true;
   }
   s.waited += dots;
-  if (s.waited < patience * dots || dots < 16) return false;
+  const FaceContours& face = *job.contours;
+  const bool crowded = 10 * face.runs > (face.by_dots ? 9 : 15) * face.dots;  // more entries than dots
+  if (s.waited < patience * dots || dots < least_dots || crowded) return false;
   s.waited = 0;
   if (!trace(job, y, x0, x1)) return false;
   StraightSpan traced(job, y, x0, x1);
