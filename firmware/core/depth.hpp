@@ -28,6 +28,9 @@ struct Counters {
   std::uint32_t spans = 0;          // runs of one face handed to the shader (note 8)
   std::uint32_t intensities = 0;    // levels decided at a dot of a quadric (note 9)
   std::uint32_t exact_levels = 0;   // ... settled by exact arithmetic
+  std::uint32_t contour_dots = 0;   // shaded dots of quadrics that contours levelled, none by itself
+  std::uint32_t curved_faces = 0;   // quadrics that entered
+  std::uint32_t crowded_faces = 0;  // ... that found no room for contours and went dot by dot
   std::uint32_t level_spans = 0;    // runs of one level handed to the band
   std::uint32_t dots = 0;           // shaded dots (note 10)
   std::uint32_t lines = 0;          // scan lines swept

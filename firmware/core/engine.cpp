@@ -41,6 +41,7 @@ class Arena {
     return {first, count};
   }
   [[nodiscard]] std::size_t used() const { return used_; }
+  [[nodiscard]] std::size_t left() const { return memory_.size() - used_; }
 
  private:
   std::span<std::byte> memory_;
@@ -58,6 +59,9 @@ struct Pools {
   std::span<PatternRow> patterns;
   std::span<std::uint32_t> row;
   std::span<std::uint8_t> band;
+  std::span<std::int32_t> scratch;   // of contours: a word a level
+  std::span<FaceContours> contours;  // of the first faces
+  std::span<std::uint32_t> blocks;   // of straight contours, of the first of those
 };
 
 std::int32_t state_bytes(const JobHeader& h) { return (h.needs.arc_bytes + 7) / 8 * 8; }
@@ -78,6 +82,19 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   p.row = arena.take<std::uint32_t>(row_words(h.page));
   p.band = arena.take<std::uint8_t>(h.page.row_bytes() * size(band_rows));
   return p;
+}
+
+// Faces on one line whose straight contours are kept, at most: on a page of many small ones they do not pay.
+constexpr std::size_t most_blocks = 64;
+
+// From what memory is left: for as many faces as fit.
+void carve_contours(Arena& arena, const JobHeader& h, Pools& p) {
+  const auto levels = static_cast<std::size_t>(h.page.levels);
+  if (arena.left() < levels * sizeof(std::int32_t) + 8) return;
+  p.scratch = arena.take<std::int32_t>(levels);
+  p.contours = arena.take<FaceContours>(std::min(p.faces.size(), arena.left() / sizeof(FaceContours)));
+  const std::size_t words = straight_block_words(h.page.levels);
+  p.blocks = arena.take<std::uint32_t>(words * std::min({p.contours.size(), most_blocks, arena.left() / (4 * words)}));
 }
 
 class Engine {
@@ -153,7 +170,7 @@ class Engine {
           break;
         default: {
           const std::uint16_t face = slot(p_.faces.size());
-          if (!in_.failed()) enter_face(p_.faces[face]);
+          if (!in_.failed()) enter_face(face);
         }
       }
       if (in_.failed()) {
@@ -170,13 +187,23 @@ class Engine {
     return kind == FaceKind::root ? modules_.root : modules_.rational;
   }
 
-  void enter_face(ActiveFace& face) {
+  void enter_face(std::uint16_t number) {
+    ActiveFace& face = p_.faces[number];
     read_face(in_, type_, face);
     if (!has_depth(face)) return fail(DrawStatus::bad_record);
     if (face.kind == FaceKind::plane) return;
     const FaceModule* module = module_of(face.kind);
     if (module == nullptr) return fail(DrawStatus::missing_module);
     module->enter(face, h_.lighting);
+    ++result_.counters.curved_faces;
+    if (number < p_.contours.size()) {
+      const std::size_t words = straight_block_words(h_.page.levels);
+      p_.contours[number] = {};
+      if ((number + 1) * words <= p_.blocks.size())
+        p_.contours[number].block = p_.blocks.subspan(number * words, words);
+    } else if (wants_contours()) {
+      ++result_.counters.crowded_faces;
+    }
   }
 
   void read_arc(std::int32_t y) {
@@ -313,6 +340,25 @@ class Engine {
     if (!options_.measure) shade(y);
   }
 
+  [[nodiscard]] bool wants_contours() const {
+    return modules_.contours != nullptr && (options_.shader == Shader::contour || options_.shader == Shader::automatic);
+  }
+
+  void shade_curved(const Span& span, std::int32_t y) {
+    const ActiveFace& face = p_.faces[span.face];
+    ShadeJob job{face, h_.lighting, levels_, exact_, painter_, result_.counters, options_.stride, nullptr, p_.scratch};
+    if (span.face < p_.contours.size() && wants_contours()) {
+      job.contours = &p_.contours[span.face];
+    }
+    const std::uint32_t runs = result_.counters.level_spans;
+    if (job.contours == nullptr || !modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) {
+      module_of(face.kind)->shade(job, options_.shader, y, span.x0, span.x1);
+    }
+    if (job.contours == nullptr) return;
+    job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
+    job.contours->runs = result_.counters.level_spans - runs;
+  }
+
   void shade(std::int32_t y) {
     Counters& counters = result_.counters;
     for (std::uint16_t i = spans_.first(); i != no_slot; i = spans_.at(i).next) {
@@ -324,8 +370,7 @@ class Engine {
         ++counters.level_spans;
         painter_.fill(span.x0, span.x1, std::min<std::int32_t>(face.level, h_.page.levels - 1));
       } else {
-        module_of(face.kind)->shade({face, h_.lighting, levels_, exact_, painter_, counters, options_.stride},
-                                    options_.shader, y, span.x0, span.x1);
+        shade_curved(span, y);
       }
     }
   }
@@ -381,6 +426,15 @@ std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
   return counting.used();
 }
 
+std::size_t memory_wanted(const JobHeader& header, std::int32_t band_rows) {
+  Arena counting({});
+  (void)counting.take<std::int32_t>(static_cast<std::size_t>(header.page.levels));
+  const auto faces = static_cast<std::size_t>(header.needs.faces);
+  (void)counting.take<FaceContours>(faces);
+  (void)counting.take<std::uint32_t>(straight_block_words(header.page.levels) * std::min(faces, most_blocks));
+  return memory_needed(header, band_rows) + counting.used();
+}
+
 DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,
                 const DrawOptions& options, const Modules& modules) {
   DrawResult result;
@@ -397,7 +451,8 @@ DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::spa
     return result;
   }
   Arena arena(memory);
-  const Pools pools = carve(arena, header, result.band_rows);
+  Pools pools = carve(arena, header, result.band_rows);
+  carve_contours(arena, header, pools);
   Engine(header, pools, in, sink, options, modules, *exact, result.band_rows, result).run();
   return result;
 }

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "firmware/core/arc.hpp"
+#include "firmware/core/contour.hpp"
 #include "firmware/core/depth.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
@@ -30,13 +31,14 @@ struct Modules {
   std::array<const ExactModule*, exact_widths> exact{};  // narrow to wide
   const FaceModule* root = nullptr;                      // quadrics with z^2
   const FaceModule* rational = nullptr;                  // quadrics without
+  const ContourModule* contours = nullptr;               // left out: every face goes dot by dot, with the same picture
 };
 extern const Modules all_modules;
 
 inline constexpr std::int32_t default_stride = 8;
 
 struct DrawOptions {
-  Shader shader = Shader::isqrt;
+  Shader shader = Shader::automatic;
   std::int32_t stride =
       default_stride;           // of Shader::stride: at most so many dots from one level to the next, at least 1
   std::int32_t band_rows = 16;  // preferred; fewer where memory is short
@@ -64,6 +66,8 @@ struct DrawResult {
 
 // Bytes of memory that a job needs with bands of `band_rows` lines.
 [[nodiscard]] std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows);
+// The same with room for the contours of every face. Any memory in between serves as many faces as it holds.
+[[nodiscard]] std::size_t memory_wanted(const JobHeader& header, std::int32_t band_rows);
 
 // Draws the job whose header `in` has just delivered. `memory` must be aligned to 8 bytes.
 [[nodiscard]] DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::span<std::byte> memory,

@@ -44,7 +44,8 @@ inline constexpr int separator_fraction = 16;
 inline constexpr std::int64_t largest_separator = std::int64_t{1} << 47;
 
 enum class Screen : std::uint8_t { clustered, bayer, blue_noise };
-enum class Shader : std::uint8_t { isqrt, jordan, stride };
+// isqrt, jordan and contour give the same dots; automatic takes the cheaper of contour and isqrt.
+enum class Shader : std::uint8_t { isqrt, jordan, stride, contour, automatic };
 
 inline constexpr std::uint16_t no_slot = 0xffff;
 

@@ -7,6 +7,7 @@ const Modules all_modules = {
      &radical_arc_256, &radical_arc_384, &quartic_arc_128, &quartic_arc_256, &quartic_arc_384},
     {&exact_384, &exact_768, &exact_1152},
     &root_faces,
-    &rational_faces};
+    &rational_faces,
+    &all_contours};
 
 }  // namespace halfspace

@@ -8,6 +8,7 @@
 
 #include "firmware/core/isqrt.hpp"
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/reaches_level.hpp"
 #include "firmware/core/root_surface.hpp"
 #include "firmware/core/root_walk.hpp"
 #include "firmware/core/stride.hpp"
@@ -210,13 +211,12 @@ class SpanShader {
     return settle(x, k);
   }
 
-  // The integer square root first (Jordan's walk asks here often), exact arithmetic last.
+  // The integer square root first: Jordan's walk asks here often.
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t x, std::int32_t k) {
     const std::int64_t s = isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(at_.d, 0)));
     const Answer answer = compare(at_.at(s), fine(s), job_.table.squares[static_cast<std::size_t>(k)]);
     if (answer != Answer::unsure) return answer == Answer::yes;
-    ++job_.counters.exact_levels;
-    return job_.exact.reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
+    return reaches_level(job_, x, y_, k);
   }
 
   const ShadeJob& job_;

@@ -45,10 +45,71 @@ class RowPainter {
   }
 
  private:
+  friend class RunPainter;
   const Page& page_;
   std::span<std::uint32_t> words_;
   std::span<const PatternRow> patterns_;
   std::int32_t y_ = 0;
+};
+
+// A span's runs of one level from left to right, cheaper than fills: the stipple word under way stays in a register, so that a
+// change of level costs some dozen instructions and dots are stored 32 at a time. Keep it a local of the loop that feeds it.
+// Order   Made with the span's first dot; change() with dots of the span that do not fall; end() once, with the last dot.
+class RunPainter {
+ public:
+  RunPainter(const RowPainter& row, std::int32_t x0, std::int32_t level) : words_(row.words_.data()) {
+    if (row.page_.format == DotFormat::gray) {
+      x_ = x0;
+      word_ = static_cast<std::uint32_t>(level);
+      return;
+    }
+    patterns_ = row.patterns_.data() + row.y_ % cell_side;
+    at_ = words_ + (x0 >> 5);
+    word_ = pattern(level);
+    open_ = merged(*at_, word_, x0);
+  }
+  // Dots from x on take the level.
+  void change(std::int32_t x, std::int32_t level) {
+    if (patterns_ == nullptr) return change_gray(x, level);
+    flush(words_ + (x >> 5));
+    word_ = pattern(level);
+    open_ = merged(open_, word_, x);
+  }
+  void end(std::int32_t x1) {
+    if (patterns_ == nullptr) return change_gray(x1 + 1, 0);
+    std::uint32_t* last = words_ + (x1 >> 5);
+    flush(last);
+    const std::uint32_t beyond = 0x7fffffffU >> (x1 & 31);
+    *last = (open_ & ~beyond) | (*last & beyond);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t pattern(std::int32_t level) const {
+    const std::uint32_t p = patterns_[level * cell_side];
+    return p << 16 | p;
+  }
+  // `right` from dot x of the word on, `left` before.
+  static std::uint32_t merged(std::uint32_t left, std::uint32_t right, std::int32_t x) {
+    return left ^ ((left ^ right) & (0xffffffffU >> (x & 31)));
+  }
+  void flush(std::uint32_t* to) {
+    if (at_ >= to) return;
+    *at_++ = open_;
+    open_ = word_;
+    while (at_ < to) *at_++ = word_;
+  }
+  void change_gray(std::int32_t x, std::int32_t level) {
+    auto* dots = reinterpret_cast<std::uint8_t*>(words_);
+    for (; x_ < x; ++x_) dots[x_] = static_cast<std::uint8_t>(word_);
+    word_ = static_cast<std::uint32_t>(level);
+  }
+
+  std::uint32_t* words_;
+  const PatternRow* patterns_ = nullptr;  // of this scan line, a level `cell_side` apart; none: gray
+  std::uint32_t* at_ = nullptr;           // the word under way
+  std::uint32_t open_ = 0;                // its dots so far, and word_ from the last change on
+  std::uint32_t word_ = 0;                // the level's pattern; gray: the level
+  std::int32_t x_ = 0;                    // gray: the first dot not yet painted
 };
 
 }  // namespace halfspace

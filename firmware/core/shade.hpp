@@ -28,6 +28,8 @@ struct LevelTable {
 // Fills the table; `squares` must hold `levels` entries.
 [[nodiscard]] LevelTable make_levels(const Lighting& lighting, std::int32_t levels, std::span<std::uint32_t> squares);
 
+struct FaceContours;  // contour.hpp
+
 // What a span's shading needs besides its dots.
 struct ShadeJob {
   const ActiveFace& face;
@@ -36,7 +38,9 @@ struct ShadeJob {
   const ExactModule& exact;
   RowPainter& painter;
   Counters& counters;
-  std::int32_t stride = 1;  // the largest of Shader::stride
+  std::int32_t stride = 1;               // the largest of Shader::stride
+  FaceContours* contours = nullptr;      // of the face; none: no contours
+  std::span<std::int32_t> scratch = {};  // one entry a level, free for the length of a span
 };
 
 // Shade dots x0 .. x1 of scan line y, where the face is visible.

@@ -12,14 +12,16 @@ namespace halfspace {
 // What is said of a page's drawing, whether its job is made on the way or ready.
 struct PictureRequest {
   std::string output;
-  std::string shader = "isqrt";
+  std::string shader = "auto";
   std::int32_t stride = default_stride;  // of the shader stride
   StatisticsRequest statistics;
 };
 
 [[nodiscard]] inline Shader shader_named(const std::string& name) {
-  if (name == "stride") return Shader::stride;
-  return name == "jordan" ? Shader::jordan : Shader::isqrt;
+  if (name == "contour") return Shader::contour;
+  if (name == "jordan") return Shader::jordan;
+  if (name == "isqrt") return Shader::isqrt;
+  return name == "stride" ? Shader::stride : Shader::automatic;
 }
 
 struct RenderRequest {

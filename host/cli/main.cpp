@@ -42,9 +42,11 @@ void add_picture_options(CLI::App& command, PictureRequest& picture) {
                      "A picture (.png .tif .pbm .pgm .exr), the device's bytes (.prn), or - for standard output");
   CLI::Option* shader =
       command
-          .add_option("--shader", picture.shader,
-                      "How curved faces are shaded: isqrt and jordan exactly, stride by averages between some dots")
-          ->check(CLI::IsMember({"isqrt", "jordan", "stride"}))
+          .add_option(
+              "--shader", picture.shader,
+              "How curved faces are shaded: contour, jordan and isqrt exactly and alike, auto by the cheaper of\n"
+              "contour and isqrt, stride by averages between some dots")
+          ->check(CLI::IsMember({"auto", "contour", "jordan", "isqrt", "stride"}))
           ->capture_default_str();
   command.add_option("--stride", picture.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
       ->check(CLI::Range(1, 32767))

@@ -122,7 +122,7 @@ DrawnPage draw_page(ByteSource& job_bytes, const DrawRequest& request) {
     return drawn;
   }
   const std::int32_t rows = traits.preferred_band_rows;
-  drawn.core_bytes = memory_needed(drawn.header, rows);
+  drawn.core_bytes = memory_wanted(drawn.header, rows);
   std::vector<std::uint64_t> memory(drawn.core_bytes / 8 + 1);
   DeviceSink sink(device, simulated->clock(), patience_ms);
   {

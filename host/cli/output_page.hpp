@@ -13,7 +13,7 @@ struct DrawRequest {
   const KnownDevice* device = nullptr;
   std::int32_t dpi = 0;
   std::string output;
-  Shader shader = Shader::isqrt;
+  Shader shader = Shader::automatic;
   std::int32_t stride = default_stride;
   bool quiet = false;
   std::string job_name;  // the job's file, for errors; empty: it lies in memory

@@ -76,7 +76,7 @@ class Dots final : public BandSink {
 
 DrawResult draw_into(BandSink& sink, const JobResult& job, Shader shader, std::int32_t stride,
                      std::vector<std::uint64_t>& memory) {
-  memory.resize(memory_needed(job.header, band_rows) / 8 + 1);
+  memory.resize(memory_wanted(job.header, band_rows) / 8 + 1);
   MemorySource source(job.bytes);
   return draw(source, sink, std::as_writable_bytes(std::span(memory)),
               {.shader = shader, .stride = stride, .band_rows = band_rows, .measure = false}, all_modules);

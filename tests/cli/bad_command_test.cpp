@@ -49,7 +49,7 @@ std::vector<BadCommand> bad_commands() {
       {"UnknownEnding", draw({"-o", "out.jpeg"}), 2, {"out.jpeg", ".png"}},
       {"NoEnding", draw({"-o", "out"}), 2, {"out", ".png"}},
       {"GrayInBitmap", draw({"-d", "gray", "-o", "out.pbm"}), 2, {".pbm", "use .pgm"}},
-      {"UnknownShader", draw({"--shader", "ray", "-o", "out.png"}), 2, {"--shader", "isqrt", "jordan", "stride"}},
+      {"UnknownShader", draw({"--shader", "ray", "-o", "out.png"}), 2, {"--shader", "auto", "contour", "isqrt", "jordan", "stride"}},
       {"NoStride", with_stride("0"), 2, {"--stride", "1 to 32767"}},
       {"NegativeStride", with_stride("-8"), 2, {"--stride"}},
       {"StrideBeyondAPage", with_stride("32768"), 2, {"--stride", "1 to 32767"}},

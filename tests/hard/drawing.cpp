@@ -56,7 +56,7 @@ Levels Drawing::draw(std::int32_t background, Shader shader, const Lines& lines,
     failure.limit = format(job.diagnostics.front());
     return {};
   }
-  std::vector<std::uint64_t> memory(memory_needed(job.header, 16) / 8 + 1);
+  std::vector<std::uint64_t> memory(memory_wanted(job.header, 16) / 8 + 1);
   MemorySource source(job.bytes);
   Collector collector(scene_.width, lines);
   const DrawResult result = halfspace::draw(source, collector, std::as_writable_bytes(std::span(memory)),

@@ -13,7 +13,8 @@
 
 namespace halfspace::testing {
 
-inline constexpr std::array exact_shaders = {Shader::isqrt, Shader::jordan};  // those that promise every dot
+inline constexpr std::array exact_shaders = {Shader::contour, Shader::isqrt,
+                                             Shader::jordan};  // those that promise every dot
 
 using Lines = std::vector<std::int32_t>;  // ascending
 

@@ -26,7 +26,7 @@ std::vector<std::uint8_t> draw_gray(const IntegerScene& scene, const ResolvedSce
     drawn.refusal = job.diagnostics.front().message;
     return {};
   }
-  std::vector<std::uint64_t> memory(memory_needed(job.header, 16) / 8 + 1);
+  std::vector<std::uint64_t> memory(memory_wanted(job.header, 16) / 8 + 1);
   MemorySource source(job.bytes);
   Collector collector;
   drawn.result = draw(source, collector, std::as_writable_bytes(std::span(memory)),

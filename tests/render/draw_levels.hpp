@@ -17,6 +17,6 @@ struct Drawn {
   DrawResult result;
 };
 
-[[nodiscard]] Drawn draw_levels(const IntegerScene& scene, Shader shader = Shader::isqrt, std::int32_t stride = 1);
+[[nodiscard]] Drawn draw_levels(const IntegerScene& scene, Shader shader = Shader::automatic, std::int32_t stride = 1);
 
 }  // namespace halfspace::testing

@@ -47,6 +47,8 @@ TEST_P(Gallery, IsExactOnTheVarian) {
   const testing::Drawn drawn = testing::draw_levels(flat.scene);
   ASSERT_EQ(drawn.refusal, "");
   EXPECT_EQ(testing::first_difference(flat.scene, drawn.levels), "");
+  EXPECT_EQ(testing::draw_levels(flat.scene, Shader::contour).levels, drawn.levels);
+  EXPECT_EQ(testing::draw_levels(flat.scene, Shader::isqrt).levels, drawn.levels);
   EXPECT_EQ(testing::draw_levels(flat.scene, Shader::jordan).levels, drawn.levels);
   EXPECT_EQ(testing::draw_levels(flat.scene, Shader::stride, 1).levels, drawn.levels);
   const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels);

@@ -43,7 +43,9 @@ void check(std::uint64_t seed, const std::string& text, Tally& tally, bool may_b
     ++tally.refused;
     return;
   }
-  const testing::Drawn drawn = testing::draw_levels(flat.scene, seed % 2 == 0 ? Shader::isqrt : Shader::jordan);
+  const testing::Drawn drawn = testing::draw_levels(flat.scene, seed % 3 == 0   ? Shader::isqrt
+                                                                : seed % 3 == 1 ? Shader::jordan
+                                                                                : Shader::contour);
   if (!drawn.refusal.empty()) {
     ++tally.refused;
     if (drawn.refusal.find("draw it smaller") != std::string::npos) {

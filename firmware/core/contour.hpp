@@ -1,0 +1,47 @@
+// contour.hpp - shading by contours: a visible span is cut where the boundaries between levels cross it, and nothing is computed
+// per dot. Each of the ways below shades dots x0 .. x1 of line y exactly as shade_root_span does, or declines:
+//   sphere_contour    faces with |N| constant: a level is an interval about a centre, by one root
+//   straight_contour  cylinders and cones: every contour a straight line through one point of the page
+//   general_contour   any face with z^2: monotone pieces of the intensity, boundaries by certified signs
+// Order   A way that returns false has painted nothing; the caller tries the next, then goes dot by dot.
+// Exact   Positions carry a proven error; a dot within it of a boundary is asked of reaches_level.
+// Memory  FaceContours a face; ShadeJob::scratch, a word a level, shared by all faces.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/reaches_level.hpp"
+#include "firmware/core/shade.hpp"
+#include "firmware/core/sphere_contour.hpp"
+#include "firmware/core/straight_contour.hpp"
+
+namespace halfspace {
+
+enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general };
+
+// What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
+struct FaceContours {
+  ContourKind kind = ContourKind::unknown;
+  bool by_dots = false;              // its last span was shaded dot by dot
+  std::uint32_t dots = 0, runs = 0;  // of that span
+  SphereContours sphere;
+  StraightContours straight;
+  std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
+};
+
+// Whether the face is of the kind; sphere_contour's registers are made on the way.
+[[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
+[[nodiscard]] bool has_straight_contours(const ShadeJob& job);
+
+[[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
+// The first of these ways that does not decline; Shader::automatic asks only ways that should be cheaper than dot by dot.
+// Linked only where a table of modules names it.
+struct ContourModule {
+  bool (*shade)(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
+};
+extern const ContourModule all_contours;
+
+}  // namespace halfspace

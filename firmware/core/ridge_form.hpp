@@ -1,0 +1,48 @@
+// ridge_form.hpp - where along a scan line a root face grows lighter: the sign of a form w = alpha(x) + beta(x) s.
+//   With I = L / |N|, the sign of dI/dx is that of s (2 L' |N|^2 - L (|N|^2)'), where s' = D' / 2 s and s^2 = D:
+//     beta  = 2 l' q - l q' + m (D' r / 2 - r' D)                          linear: the squares of x cancel
+//     alpha = D (2 l' r - l r') + D' (m q - l r / 2) - m q' D              quadratic: the cubes cancel
+//   From a to b the section s^2 = D is a rational Bezier arc with the control points A, T, B, where T is the pole of the chord:
+//   with P = D0 + D1 (a + b) / 2 + D2 a b the polar form and delta = P - s_a s_b, T = s_b A + s_a B + (0, delta, 0) in homogeneous
+//   (x, s, 1), and the product of A's and B's weights is 2 (P + s_a s_b) for T as it is. w is of second degree in (x, s, 1), so along the arc it is a
+//   quartic in Bernstein form, its coefficients up to positive factors
+//     w_AA,  w_AT,  w_TT + (P + s_a s_b) w_AB,  w_TB,  w_BB
+//   It has no more roots between a and b than the coefficients have changes of sign, and as many or an even number fewer.
+// Units   tau = t 2^-half_bits in [-1, 1]; every quantity has 30 bits of fraction.
+// Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within ridge_error + |root's error| (below).
+// Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/line_section.hpp"
+
+namespace halfspace {
+
+// A dot of the section as the form needs it.
+struct RidgeDot {
+  std::int32_t tau, s;
+  std::int32_t beta;  // at tau
+  std::int32_t w;
+  std::int32_t error;  // of s
+  // Of dI/dx: -1, 0 for unsure, 1.
+  [[nodiscard]] int sign() const;
+};
+
+// What is known of the intensity between two dots.
+enum class Course : std::uint8_t { unsure, rising, falling, ridge };
+
+class RidgeForm {
+ public:
+  explicit RidgeForm(const LineSection& line);
+
+  [[nodiscard]] RidgeDot at(std::int32_t t, std::int32_t s, std::int32_t root_error) const;
+  // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
+  [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
+
+ private:
+  int tau_shift_, root_shift_;
+  std::int32_t d_[3], alpha_[3], beta_[2];
+};
+
+}  // namespace halfspace

@@ -1,0 +1,284 @@
+#include <algorithm>
+
+#include "firmware/core/contour.hpp"
+#include "firmware/core/quick_root.hpp"
+#include "firmware/core/real.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr int place_bits = 15;
+constexpr std::int32_t one_dot = 1 << place_bits;
+
+// --- a face's registers ---
+
+// value 2^bits where that is known to within a unit, as is its floor then to within two.
+template <class T>
+bool put(T& out, const Real& value, int bits) {
+  out = static_cast<T>(value.fixed(bits));
+  return value.error_of(bits) <= 2;
+}
+
+bool all_zero(std::span<const Wide<128>> coefficients) {
+  return std::all_of(coefficients.begin(), coefficients.end(), [](const Wide<128>& c) { return c.is_zero(); });
+}
+
+// |N| constant, and every form exact.
+bool has_constant_normal(const RootSurface& s) {
+  return s.discriminant.exponent == 0 && s.light.exponent == 0 && s.square.exponent == 0 &&
+         all_zero(std::span(s.square.q).first<5>()) && all_zero(s.square_root.q) && s.discriminant.q[0].negative();
+}
+
+// The chord of line y: D = -d0 (rho^2 - (x - centre)^2), and 4 d0^2 rho^2 = e2 y^2 + e1 y + e0.
+struct Outline {
+  Real d0, centre, shear;   // -d0 is the D of design.md; the chord's centre is shear y + centre
+  Real middle, root_kappa;  // eta = root_kappa (y - middle)
+  Real radius;
+};
+
+Outline outline_of(const RootSurface& s) {
+  Real d[6];
+  for (int i = 0; i < 6; ++i) d[i] = Real(s.discriminant.q[static_cast<std::size_t>(i)], 0);
+  const Real two_d0 = d[0] + d[0];
+  const Real four_d0 = two_d0 + two_d0;
+  const Real e2 = d[1] * d[1] - four_d0 * d[2];
+  const Real e1 = (d[1] * d[3] - two_d0 * d[4]) * Real(2);
+  const Real e0 = d[3] * d[3] - four_d0 * d[5];
+  const Real middle = -e1 / (e2 + e2);
+  return {-d[0],  -d[3] / two_d0,         -d[1] / two_d0,
+          middle, (-e2).root() / -two_d0, (e0 + (e1 * middle).half()).root() / -two_d0};
+}
+
+bool make_sphere(const ShadeJob& job, SphereContours& out) {
+  const RootSurface& s = job.face.surface;
+  if (!has_constant_normal(s)) return false;
+  const Outline o = outline_of(s);
+  const int radius_bits = o.radius.bits();
+  if (o.radius.sign() <= 0 || radius_bits < 3 || radius_bits > 13) return false;
+  const int kappa_bits = o.root_kappa.bits();
+  if (o.root_kappa.sign() <= 0 || kappa_bits < -1 || kappa_bits > 2) return false;
+  const int f = 30 - radius_bits;
+  out.fraction = static_cast<std::uint8_t>(f);
+
+  const Lighting& g = job.lighting;
+  std::int64_t l2 = 0;
+  for (const std::int32_t l : g.light) l2 += static_cast<std::int64_t>(l) * l;
+  const Real scale = o.radius / (Real(l2) * Real(s.square.q[5], 0)).root();
+  const Real l0(s.light.q[0], 0);
+  const Real a = l0 * scale;
+  const Real b = Real(s.light_root, 0) * o.d0.root() * scale;
+  const Real c = (Real(s.light.q[1], 0) + l0 * o.shear) * scale / o.root_kappa;
+  const Real reach = a * a + b * b;
+  const Real quarter = Real(1).half().half();
+  if ((reach - quarter).sign() < 0 || reach.sign() <= 0) return false;
+
+  out.middle = static_cast<std::int32_t>(std::clamp<std::int64_t>(o.middle.fixed(0), -(1 << 18), 1 << 18));
+  const Real above = Real(out.middle) - o.middle;
+  const std::int64_t most = static_cast<std::int64_t>(job.table.levels - 1) * g.parallel;
+  const Real per_level = Real(most) / Real(g.unit);
+  const Real radial = o.radius;
+  // A = 1 as a fraction of 32 bits would not fit: it loses one unit.
+  std::int64_t reach_bits = 0;
+  const bool good =
+      put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
+      put(out.centre_slope, o.shear, f + 16) && put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
+      put(out.bar_slope, radial / Real(most), f + 32) && put(out.level_slope, per_level / radial, 48 - f) &&
+      put(out.radius, radial, f) && put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30) &&
+      put(reach_bits, reach, 32) && put(out.alpha, a / reach, 32 + place_bits - f) &&
+      put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
+  out.reach = static_cast<std::uint32_t>(std::min<std::int64_t>(reach_bits, 0xffffffff));
+  out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
+  out.sure = 6 + (150 >> (f - place_bits));
+  return good;
+}
+
+// --- a span ---
+
+class SphereSpan {
+ public:
+  SphereSpan(const ShadeJob& job, const SphereContours& c, std::int32_t y, std::int32_t x0, std::int32_t x1)
+      : job_(job), c_(c), y_(y), x0_(x0), x1_(x1) {
+    const std::int64_t up = y - job.face.origin_y - c.middle;
+    eta_ = static_cast<std::int32_t>((c.eta_slope * up + c.eta_at) >> 16);
+    centre_ = (c.centre_slope * up + c.centre_at) >> 16;
+    chord_ = static_cast<std::int64_t>(c.radius - eta_) * (c.radius + eta_);
+    const auto chord = static_cast<std::uint64_t>(chord_);
+    reach_ = static_cast<std::int64_t>((chord >> 32) * c.reach + ((chord & 0xffffffffU) * c.reach >> 32));
+    lift_ = static_cast<std::int32_t>(static_cast<std::int64_t>(c.c) * eta_ >> 30);
+    const std::int64_t base =
+        (static_cast<std::int64_t>(job.face.origin_x) << place_bits) + (centre_ >> (c.fraction - place_bits));
+    constexpr std::int64_t far = std::int64_t{41000} << place_bits;
+    is_near_ = base > -far && base < far;
+    base_ = static_cast<std::int32_t>(base);
+  }
+  // A line that grazes the sphere, or a job that lies.
+  [[nodiscard]] bool is_usable() const { return is_near_ && eta_ < c_.radius && eta_ > -c_.radius; }
+
+  void paint() {
+    const std::int32_t ka = level_at(x0_);
+    const std::int32_t kb = level_at(x1_);
+    // A dot inside level k's interval shows k + shift, one outside shows `step` less.
+    const std::int32_t step = is_dark() ? -1 : 1;
+    const std::int32_t shift = is_dark() ? -1 : 0;
+    const std::int32_t beyond = is_dark() ? job_.table.ambient_level : job_.table.top_level + 1;
+    const std::int32_t rise = (kb - ka) * step;
+    std::int32_t k = ka + 1 + shift;
+    RunPainter run(job_.painter, x0_, ka);
+    // Intervals that the last dot lies in, but not the first, begin in the span; then come those inside it, nested.
+    Interval* const first = job_.scratch.data();
+    Interval* const nested = find<true, false>(k, std::max<std::int32_t>(rise, 0), first);
+    k += static_cast<std::int32_t>(nested - first) * step;
+    Interval* const last = find<true, true>(k, std::max<std::int32_t>((beyond - k) * step, 0), nested);
+    std::int32_t level = ka;
+    for (const Interval* at = first; at != last; ++at) run.change(*at & 0x7fff, level += step);
+    for (const Interval* at = last; at != nested;) run.change(*--at >> 16, level -= step);
+    // Intervals that the first dot lies in, but not the last, end in the span.
+    Interval* const end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), first);
+    for (const Interval* at = first; at != end; ++at) run.change(*at >> 16, level -= step);
+    run.end(x1_);
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + 2 * (last - nested) + (rise < 0 ? -rise : rise));
+  }
+
+ private:
+  using Interval = std::int32_t;  // first dot + 2^16 first dot beyond
+  struct Crossing {
+    std::int32_t centre, half, error;  // places; error < 0: the line misses the interval
+  };
+
+  // The light comes from behind: a level's interval is where it is not reached, and intervals nest downwards.
+  [[nodiscard]] bool is_dark() const { return c_.b < 0; }
+
+  // t_k R, with 32 bits of fraction.
+  [[nodiscard]] std::int64_t bar_of(std::int32_t k) const {
+    return c_.bar_slope * (static_cast<std::int64_t>(k) * job_.lighting.unit -
+                           static_cast<std::int64_t>(job_.table.levels - 1) * job_.lighting.ambient);
+  }
+  [[nodiscard]] Crossing crossing(std::int32_t k) const {
+    const std::int32_t bar = static_cast<std::int32_t>(bar_of(k) >> 32) - lift_;
+    const std::int64_t w2 = reach_ - static_cast<std::int64_t>(bar) * bar;
+    if (w2 < -slack) return {0, 0, -1};
+    const std::int32_t w = w2 <= 0 ? 0 : quick_root(static_cast<std::uint64_t>(w2));
+    return {base_ + upper(c_.alpha, bar), upper(c_.beta, w), w2 >= wide ? c_.sure : error_of(w)};
+  }
+  [[nodiscard]] std::int32_t error_of(std::int32_t w) const {
+    const std::int32_t dw =
+        w < 1 << 18 ? 1 << 19 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(w) >> 4)) + 6;
+    return 6 + ((14 + 2 * dw) >> (c_.fraction - place_bits));
+  }
+  static std::int32_t upper(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::int64_t>(a) * b >> 32);
+  }
+
+  // The intervals of levels from k on that begin, end, or both, in the span; those that must do both as long as they do.
+  template <bool begins, bool ends>
+  [[nodiscard]] Interval* find(std::int32_t k, std::int32_t count, Interval* out) const {
+    const std::int32_t step = begins == is_dark() ? -1 : 1;
+    for (;;) {
+      const std::int32_t found = find_plain<begins, ends>(k, count, out);
+      out += found;
+      count -= found;
+      if (count == 0) return out;
+      k += found * step;
+      const Crossing at = crossing(k);
+      if (at.error < 0 && begins && ends) return out;
+      std::int32_t left = begins ? left_of(at, k) : x0_;
+      std::int32_t right = ends ? right_of(at, k) : x1_;
+      if (begins && ends && (left <= x0_ || right <= left || right > x1_)) return out;
+      *out++ = std::min(right, x1_) << 16 | std::clamp(left, x0_, x1_);
+      --count;
+      k += step;
+    }
+  }
+
+  // The same as far as ends are certain: the loop that most of a sphere's time goes to, without a call.
+  template <bool begins, bool ends>
+  [[nodiscard, gnu::noinline]] std::int32_t find_plain(std::int32_t k, std::int32_t count, Interval* out) const {
+    std::int64_t bar = bar_of(k);
+    const std::int64_t bar_step = (begins == is_dark() ? -c_.bar_slope : c_.bar_slope) * job_.lighting.unit;
+    const std::int32_t unsure = 2 * c_.sure;
+    const std::int32_t base = base_ + c_.sure + one_dot - 1;
+    const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
+    const std::int64_t reach = reach_;
+    std::int32_t i = 0;
+    for (; i < count; ++i, bar += bar_step) {
+      const std::int32_t c = static_cast<std::int32_t>(bar >> 32) - lift;
+      const std::int64_t w2 = reach - static_cast<std::int64_t>(c) * c;
+      if (w2 < wide) break;
+      const std::int32_t half = upper(beta, quick_large_root(static_cast<std::uint64_t>(w2)));
+      const std::int32_t centre = base + upper(alpha, c);
+      const std::int32_t left = centre - half;
+      const std::int32_t right = centre + half + 1;
+      if (begins && (left & (one_dot - 1)) < unsure) break;
+      if (ends && (right & (one_dot - 1)) < unsure) break;
+      const std::int32_t first = begins ? left >> place_bits : x0;
+      const std::int32_t behind = ends ? right >> place_bits : x1;
+      if (begins ? first <= x0 || behind < first || (ends && behind == first) : behind <= x0) break;
+      if (behind > x1) break;
+      *out++ = behind << 16 | first;
+    }
+    return i;
+  }
+
+  // The first dot inside.
+  [[nodiscard]] std::int32_t left_of(const Crossing& at, std::int32_t k) const {
+    const std::int32_t t = at.centre - at.half + at.error + one_dot - 1;
+    if ((t & (one_dot - 1)) >= 2 * at.error) return t >> place_bits;
+    return first(true, (t - 2 * at.error) >> place_bits, t >> place_bits, k);
+  }
+  // The first dot beyond.
+  [[nodiscard]] std::int32_t right_of(const Crossing& at, std::int32_t k) const {
+    const std::int32_t t = at.centre + at.half + at.error + one_dot;
+    if ((t & (one_dot - 1)) >= 2 * at.error) return t >> place_bits;
+    return first(false, (t - 2 * at.error) >> place_bits, t >> place_bits, k);
+  }
+  // The first dot of from .. to that is, or is not, inside level k's interval; `to` at the latest.
+  [[nodiscard, gnu::noinline]] std::int32_t first(bool inside, std::int32_t from, std::int32_t to,
+                                                  std::int32_t k) const {
+    for (from = std::max(from, x0_); from < to && from <= x1_; ++from) {
+      if ((reaches_level(job_, from, y_, k) != is_dark()) == inside) return from;
+    }
+    return to;
+  }
+
+  [[nodiscard, gnu::noinline]] std::int32_t level_at(std::int32_t x) const {
+    const auto xi =
+        static_cast<std::int32_t>((static_cast<std::int64_t>(x - job_.face.origin_x) << c_.fraction) - centre_);
+    const std::int64_t s2 = std::max<std::int64_t>(chord_ - static_cast<std::int64_t>(xi) * xi, 1);
+    const std::int32_t s = quick_root(static_cast<std::uint64_t>(s2));
+    const auto v =
+        static_cast<std::int32_t>((static_cast<std::int64_t>(c_.a) * xi + static_cast<std::int64_t>(c_.b) * s +
+                                   static_cast<std::int64_t>(c_.c) * eta_) >>
+                                  30);
+    const std::int32_t ds =
+        s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(s) >> 3)) + 6;
+    const std::int64_t level = c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32);
+    const std::int32_t error = 6 + ((ds + 11) >> 5);
+    return level_between(job_, x, y_, clamped((level - error) >> 16), clamped((level + error) >> 16));
+  }
+  [[nodiscard]] std::int32_t clamped(std::int64_t level) const {
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(level, job_.table.ambient_level, job_.table.top_level));
+  }
+
+  static constexpr std::int64_t slack = std::int64_t{1} << 35;  // error of w^2
+  static constexpr std::int64_t wide = std::int64_t{1} << 56;   // w^2 of a quarter of the radius or more
+
+  const ShadeJob& job_;
+  const SphereContours& c_;
+  std::int32_t y_, x0_, x1_;
+  std::int32_t eta_, lift_, base_;
+  std::int64_t centre_, chord_, reach_;
+  bool is_near_;
+};
+
+}  // namespace
+
+bool has_sphere_contours(const ShadeJob& job) { return make_sphere(job, job.contours->sphere); }
+
+bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  SphereSpan span(job, job.contours->sphere, y, x0, x1);
+  if (!span.is_usable()) return false;
+  span.paint();
+  return true;
+}
+
+}  // namespace halfspace

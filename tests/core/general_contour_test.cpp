@@ -1,0 +1,222 @@
+// Contours of any quadric against the integer root at every dot, itself tested against GMP (shade_test.cpp); and the parts that
+// carry the proof: certified roots, and the course of the intensity.
+#include <gtest/gtest.h>
+
+#include "firmware/core/contour.hpp"
+#include "firmware/core/line_section.hpp"
+#include "firmware/core/ridge_form.hpp"
+#include "tests/core/faces.hpp"
+
+namespace halfspace {
+namespace {
+
+using namespace testing;
+
+struct Row {
+  std::vector<std::uint8_t> levels;
+  Counters counters;
+};
+
+class Canvas {
+ public:
+  Canvas(const Lighting& lighting, std::int32_t levels, std::int32_t width)
+      : lighting_(lighting),
+        page_{width, width, DotFormat::gray, levels, 0},
+        words_(row_words(page_)),
+        squares_(static_cast<std::size_t>(levels)),
+        table_(make_levels(lighting, levels, squares_)) {}
+
+  Row contour(const TestFace& face, const ExactModule& exact, std::int32_t y, DotRun run) {
+    return shade(face, exact, y, run, [](const ShadeJob& job, std::int32_t line, DotRun dots) {
+      EXPECT_TRUE(general_contour(job, line, dots.x0, dots.x1));
+    });
+  }
+  Row dots(const TestFace& face, const ExactModule& exact, std::int32_t y, DotRun run) {
+    return shade(face, exact, y, run, [](const ShadeJob& job, std::int32_t line, DotRun dots) {
+      shade_root_span(job, Shader::isqrt, line, dots.x0, dots.x1);
+    });
+  }
+  template <class Shade>
+  Row shade(const TestFace& face, const ExactModule& exact, std::int32_t y, DotRun run, Shade shade) {
+    Row row;
+    RowPainter painter(page_, words_, {});
+    painter.begin(y);
+    shade(ShadeJob{face.active, lighting_, table_, exact, painter, row.counters}, y, run);
+    row.levels.resize(page_.row_bytes());
+    painter.copy_to(row.levels);
+    return row;
+  }
+
+ private:
+  const Lighting& lighting_;
+  Page page_;
+  std::vector<std::uint32_t> words_, squares_;
+  LevelTable table_;
+};
+
+struct Tally {
+  std::uint64_t dots = 0, exact = 0, asked = 0;
+};
+
+// Every run of the face on line y, and a random part of it.
+void expect_same_dots(const TestFace& face, const Lighting& lighting, std::int32_t levels, std::int32_t y,
+                      std::int32_t width, Dice& dice, Tally& tally) {
+  const ExactModule* exact = exact_for({&face}, lighting, levels, width);
+  if (exact == nullptr) return;
+  Canvas canvas(lighting, levels, width);
+  for (const DotRun& run : runs_of(face, y, width)) {
+    const auto from = static_cast<std::int32_t>(between(dice, run.x0, run.x1));
+    const auto to = static_cast<std::int32_t>(between(dice, from, run.x1));
+    for (const DotRun& part : {run, DotRun{from, to}}) {
+      const Row row = canvas.contour(face, *exact, y, part);
+      ASSERT_EQ(row.levels, canvas.dots(face, *exact, y, part).levels)
+          << "dots " << part.x0 << ".." << part.x1 << " line " << y << " of " << levels << " levels";
+      tally.dots += static_cast<std::uint64_t>(part.x1 - part.x0 + 1);
+      tally.exact += row.counters.exact_levels;
+      tally.asked += row.counters.intensities;
+    }
+  }
+}
+
+std::int32_t random_levels(Dice& dice) {
+  static constexpr std::int32_t usual[] = {2, 17, 65, 256};
+  return dice() % 2 == 0 ? usual[dice() % 4] : static_cast<std::int32_t>(between(dice, 2, 256));
+}
+
+TEST(GeneralContour, SolidsOfEverySize) {
+  Dice dice(31);
+  Tally tally;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face =
+        solid_face(dice, between(dice, 0, width), between(dice, 0, width), between(dice, 1, width), lighting);
+    if (face.active.kind != FaceKind::root) continue;
+    const auto y = static_cast<std::int32_t>(between(dice, 0, width - 1));
+    expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+  }
+  EXPECT_GT(tally.dots, 100000U);
+}
+
+TEST(GeneralContour, RandomCoefficientsOfEverySize) {
+  Dice dice(32);
+  Tally tally;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face = random_face(dice, FaceKind::root, static_cast<int>(between(dice, 1, 75)), lighting);
+    const auto y = static_cast<std::int32_t>(between(dice, 0, 95));
+    expect_same_dots(face, lighting, random_levels(dice), y, 96, dice, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+  }
+  EXPECT_GT(tally.dots, 50000U);
+}
+
+// Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
+TEST(GeneralContour, RoundedSurfaces) {
+  Dice dice(33);
+  Tally tally;
+  for (int trial = 0; trial < 1500; ++trial) {
+    const Lighting lighting = random_lighting(dice);
+    TestFace face = solid_face(dice, between(dice, 0, 96), between(dice, 0, 96), between(dice, 5, 90), lighting);
+    if (face.active.kind != FaceKind::root) continue;
+    const int bits = static_cast<int>(between(dice, 20, 90));
+    for (mpz_class& c : face.c) c = (c << static_cast<unsigned>(bits)) + random_bits(dice, bits / 2);
+    face = make_face(FaceKind::root, face.c, {face.active.origin_x, face.active.origin_y, face.active.origin_z},
+                     face.active.sheet, face.active.light_sign, 0, lighting);
+    const auto y = static_cast<std::int32_t>(between(dice, 0, 95));
+    expect_same_dots(face, lighting, 256, y, 96, dice, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+  }
+  EXPECT_GT(tally.dots, 20000U);
+}
+
+std::array<mpz_class, 10> diagonal(long a, long b, long c, long k) {
+  std::array<mpz_class, 10> q;
+  q[0] = a, q[1] = b, q[2] = c, q[9] = k;
+  return q;
+}
+
+Lighting plain_lighting(std::array<std::int32_t, 3> light) {
+  Lighting l;
+  for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
+  l.light = light;
+  l.ambient = 0;
+  l.parallel = l.unit = 1000;
+  return l;
+}
+
+// Where a form vanishes, or nearly: apexes, rulings along the line, needles and discs, light along the surface.
+TEST(GeneralContour, DegenerateFaces) {
+  std::array<mpz_class, 10> double_plane;
+  double_plane[0] = 1, double_plane[1] = 4, double_plane[2] = 9, double_plane[3] = 2, double_plane[4] = 6,
+  double_plane[5] = 3;
+  std::array<mpz_class, 10> near_double = double_plane;
+  near_double[9] = -1;
+  std::array<mpz_class, 10> saddle;
+  saddle[2] = 1, saddle[3] = 1;
+  std::array<mpz_class, 10> paraboloid = diagonal(1, 2, 1, -900);
+  paraboloid[6] = 15, paraboloid[7] = -9;
+  const std::array<mpz_class, 10> faces[] = {diagonal(1, 1, 1, -1600),
+                                             diagonal(-1, -1, 1, 0),
+                                             diagonal(1, -2, 1, 0),
+                                             diagonal(-10000, -10000, 1, 0),
+                                             double_plane,
+                                             near_double,
+                                             saddle,
+                                             paraboloid,
+                                             diagonal(0, 1, 1, -900),
+                                             diagonal(1, 0, 1, -900),
+                                             diagonal(1, 1000000, 1000000, -1600000000),
+                                             diagonal(1000000, 1, 1, -1600000000),
+                                             diagonal(1, 1, 1000000, -1600),
+                                             diagonal(1, -1, 1, -400),
+                                             diagonal(-1, 1, 1, 400),
+                                             diagonal(-1, -1, 1, -400)};
+  const std::array<std::int32_t, 3> lights[] = {{300, -500, -900}, {0, 1000, 1000}, {1, 2, -3000},
+                                                {1000, 0, 0},      {0, 0, -1},      {32767, 1, -1},
+                                                {0, 0, 0},         {0, 1000, 0},    {77, -55, -33}};
+  Dice dice(34);
+  Tally tally;
+  for (const auto& c : faces) {
+    for (const auto& light : lights) {
+      const Lighting lighting = plain_lighting(light);
+      for (const int signs : {0, 1, 2, 3}) {
+        const TestFace face = make_face(FaceKind::root, c, {48, 48, 5}, (signs & 1) != 0 ? 1 : -1,
+                                        (signs & 2) != 0 ? 1 : -1, 0, lighting);
+        for (const std::int32_t y : {0, 8, 47, 48, 49, 88}) {
+          expect_same_dots(face, lighting, 65, y, 97, dice, tally);
+          ASSERT_FALSE(HasFatalFailure()) << "face " << &c - faces << " light " << &light - lights;
+        }
+      }
+    }
+  }
+  EXPECT_GT(tally.dots, 100000U);
+}
+
+// As long as a page is wide: several sections.
+TEST(GeneralContour, TheWidestSpan) {
+  constexpr std::int32_t width = 32767;
+  const Lighting lighting = plain_lighting({-300, 200, -800});
+  const TestFace face =
+      make_face(FaceKind::root, diagonal(3, 3, 2, -3L * 16384 * 16384), {16383, 20, 0}, -1, 1, 0, lighting);
+  Dice dice(35);
+  Tally tally;
+  expect_same_dots(face, lighting, 256, 30, width, dice, tally);
+  EXPECT_GT(tally.dots, 32000U);
+}
+
+// The point of it: few dots of a large face are asked for themselves.
+TEST(GeneralContour, FollowsBoundariesNotDots) {
+  const Lighting lighting = plain_lighting({-300, 200, -800});
+  Dice dice(36);
+  Tally tally;
+  const TestFace face =
+      make_face(FaceKind::root, diagonal(3, 2, 5, -3L * 400 * 400), {500, 500, 0}, -1, 1, 0, lighting);
+  for (std::int32_t y = 100; y < 900; y += 7) expect_same_dots(face, lighting, 65, y, 1000, dice, tally);
+  EXPECT_LT(tally.asked * 50, tally.dots);
+  EXPECT_LT(tally.exact * 5000, tally.dots);
+}
+
+}  // namespace
+}  // namespace halfspace
