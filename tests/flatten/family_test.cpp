@@ -61,11 +61,13 @@ TEST(Families, DifferByAConstantOfTheWorld) {
 // Where a cylinder ends in a point the surface has no normal, and its shells have the same point.
 TEST(Families, StayApartUpToTheirVanishingPoint) { expect_shells_apart("", "", perspective_view, true); }
 
-// A tube's walls and bores beside its axis: second-order parts stay proportional, however far the bores are.
+// A tube's walls and bores beside its axis: second-order parts stay proportional, however far the bores are, and
+// though one is as long as the pin in it.
 TEST(Parallels, StayParallel) {
   const std::string plate =
       "quadric a <1 1 0 0 0 0 0 0 0 -4>; quadric b <2 2 0 0 0 0 0 0 0 -6.7>; quadric c <1 1 0 0 0 0 -.9 .31 0 .9>;"
-      "quadric d <1 1 0 0 0 0 5.1 -7.3 0 79>; plane f <0 0 1 -1>; plane k <0 0 -1 -1>; body t (a b !c !d f k);";
+      "quadric d <1 1 0 0 0 0 5.1 -7.3 0 79>; plane f <0 0 1 -1>; plane k <0 0 -1 -1>;"
+      "plane g <0 0 1 -90>; plane h <0 0 -1 -90>; body t (a b !c !d f k); body pin (c g h);";
   for (int turn = 0; turn < 40; ++turn) {
     const IntegerScene scene = flat("definition p; " + plate + " enddef; instance i (p =rx " +
                                         std::to_string(7 * turn) + ".3 =ry 17 =tx .1);" + parallel_view,
