@@ -4,6 +4,7 @@
 #include <initializer_list>
 
 #include "host/flatten/extent_filter.hpp"
+#include "host/flatten/meeting_extent.hpp"
 #include "host/flatten/spectrum.hpp"
 
 namespace halfspace {
@@ -347,7 +348,16 @@ class Search {
 
 }  // namespace
 
-Extent extent_of(std::span<const Side> sides) { return Search(sides).run(); }
+Extent extent_of(std::span<const Side> sides, Real slack) {
+  if (quadrics_may_meet(sides)) {
+    Extent extent = meeting_extent(sides, slack);
+    if (!extent.unbounded) return extent;
+    extent = Search(sides).run();
+    extent.unbounded = true;
+    return extent;
+  }
+  return Search(sides).run();
+}
 
 Box around(const Box& a, const Box& b) {
   Box result;

@@ -3,10 +3,11 @@
 //          plane with a quadric turns, or where a quadric itself does. At each of these points two planes and a
 //          surface meet: a curve turns along an axis where the plane of its turning points meets it, and those planes
 //          are the polar planes of the axes. So every candidate comes from the line of two planes; those that all
-//          half-spaces hold at are the body's. Curves in which two quadrics meet are not searched.
+//          half-spaces hold at are the body's. A body in which quadrics may meet goes another way (meeting_extent.hpp).
 // Cost     Cubic in the half-spaces of one body.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace halfspace {
 struct Side {
   RealHalfSpace shape;
   bool complement = false;
+  // Of a quadric that is no pair of planes: those with the same number never meet (kinship.hpp).
+  std::optional<std::size_t> family = std::nullopt;
 };
 
 struct Box {
@@ -29,7 +32,8 @@ struct Extent {
   Box box;
 };
 
-[[nodiscard]] Extent extent_of(std::span<const Side> sides);
+// A side of the box is good enough when it is no further off than `slack`.
+[[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack = 0);
 
 [[nodiscard]] Box around(const Box& a, const Box& b);
 

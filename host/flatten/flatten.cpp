@@ -21,12 +21,15 @@ namespace halfspace {
 namespace {
 
 constexpr std::int32_t page_limit = 32767;
+constexpr std::size_t most_families = std::size_t{1} << 32;  // of a group
 // Bounds hold for depths this close to vrp, or to the body where it lies elsewhere. A surface reaches further only
 // where it is nearly parallel to the rays.
 const Real depth_limit = power_of_two(20);
 // A body off the page is rounded where it is, up to here and up to depth_limit across; one that is further off or larger
 // is rounded for the page, where it is not.
 const Real far_limit = power_of_two(25);
+// Boxes of bodies on the page may be as much too large.
+const Real dot_slack = Real(1) / 4;
 // What mates within its bodies' boxes may be off by as much in those that share more with it: a clan, or a pair of planes.
 const Real mating_limit = power_of_two(-10);
 
@@ -129,9 +132,18 @@ class Flattener {
   [[nodiscard]] std::vector<Side> sides_of(const PlacedBody& body) const {
     std::vector<Side> sides;
     for (const HalfSpaceUse& use : body.uses) {
-      sides.push_back({half_spaces_[use.half_space].shape, use.complement});
+      sides.push_back({half_spaces_[use.half_space].shape, use.complement, family_of(use.half_space)});
     }
     return sides;
+  }
+
+  // A number for all quadrics of one family; none for what is plane.
+  [[nodiscard]] std::optional<std::size_t> family_of(std::size_t half_space) const {
+    const PlacedHalfSpace& h = placed_.half_spaces[half_space];
+    if (h.shape.kind != HalfSpaceKind::quadric || h.kin.family == no_family || plane_pair_of(h.shape, h.kin)) {
+      return std::nullopt;
+    }
+    return h.place * most_families + h.kin.family;
   }
 
   // The window needs the picture's extent, which clipping planes have no effect on, unless it is given.
@@ -225,7 +237,7 @@ class Flattener {
   [[nodiscard]] Box box_of(const PlacedBody& body, const Extent& whole) const {
     const bool has_end = !whole.empty && !whole.unbounded;
     if (has_end && is_on_page(whole.box)) return with_depth_limited(whole.box);
-    const Extent part = extent_of(with_page(sides_of(body), {0, 0, 0}));
+    const Extent part = extent_of(with_page(sides_of(body), {0, 0, 0}), dot_slack);
     if (!part.empty && !part.unbounded) return with_depth_limited(part.box);
     if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return with_depth_limited(whole.box);
     const Box endless = endless_box();
@@ -234,7 +246,7 @@ class Flattener {
 
   // Known from fitting the window, unless clipping planes have come since.
   [[nodiscard]] Extent extent_on_page(std::size_t body) const {
-    if (extents_.empty() || view_.clipping) return extent_of(sides_of(placed_.bodies[body]));
+    if (extents_.empty() || view_.clipping) return extent_of(sides_of(placed_.bodies[body]), dot_slack);
     Extent extent = extents_[body];
     extent.box = page_.to_dots(extent.box);
     return extent;
@@ -486,7 +498,7 @@ class Flattener {
       const bool complement = use.complement != (h.use && h.use->opposite);
       body.half_spaces.push_back({local.kind, local.c, complement, statement.transparent,
                                   double_above(h.quantised.bound), statement.name, statement.position});
-      sides.push_back({normalised(to_real(local)), complement});
+      sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
     }
     set_box(sides, body);
     return body;
@@ -506,10 +518,10 @@ class Flattener {
   // further from the true one than the surfaces do.
   void set_box(const std::vector<Side>& sides, IntegerBody& body) const {
     const Vector3 origin{Real(body.origin[0]), Real(body.origin[1]), Real(body.origin[2])};
-    Extent extent = extent_of(sides);
+    Extent extent = extent_of(sides, dot_slack);
     Box box{sum(extent.box.low, origin), sum(extent.box.high, origin)};
     if (extent.unbounded || !is_on_page(box)) {
-      extent = extent_of(with_page(sides, origin));
+      extent = extent_of(with_page(sides, origin), dot_slack);
       box = {sum(extent.box.low, origin), sum(extent.box.high, origin)};
     }
     const Scissor& scissor = page_.scissor;

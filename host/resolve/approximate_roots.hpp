@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host/flatten/interval.hpp"
-#include "host/resolve/polynomial.hpp"
+#include "host/algebra/polynomial.hpp"
 
 namespace halfspace {
 

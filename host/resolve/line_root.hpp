@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "host/flatten/interval.hpp"
-#include "host/resolve/polynomial.hpp"
+#include "host/algebra/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "host/resolve/polynomial.hpp"
+#include "host/algebra/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/resolve/polynomial.hpp"
+#include "host/algebra/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {

@@ -238,6 +238,23 @@ RandomBody random_body(Dice& dice, const BodyWish& wish) {
   return body;
 }
 
+RandomBody random_meeting_body(Dice& dice, const BodyWish& wish) {
+  RandomBody body;
+  for (std::int64_t n = dice.between(2, 4); n > 0; --n) {
+    BodyWish aside = wish;
+    for (std::int64_t& coordinate : aside.centre) coordinate += dice.between(-1, 1);
+    const bool ends = body.empty() && dice.chance(85);
+    body.push_back(random_quadric(dice, aside, dice.between(1, wish.span - 1), ends));
+    if (ends || dice.chance(60)) face_towards(dice, body.back(), aside.centre, false);
+  }
+  for (std::int64_t n = dice.between(0, 2); n > 0; --n) {
+    body.push_back(random_plane(dice, wish, wish.span / 2, {}));
+    face_towards(dice, body.back(), wish.centre, false);
+  }
+  shuffle(dice, body);
+  return body;
+}
+
 RandomBody mate_of(Dice& dice, RandomBody body) {
   RandomHalfSpace& seam = body[dice.below(static_cast<std::int64_t>(body.size()))];
   seam.complement = !seam.complement;

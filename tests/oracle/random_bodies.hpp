@@ -1,7 +1,7 @@
 // random_bodies.hpp - bodies with small integer coefficients, near-degenerate on purpose.
 //   Planes go through the apex of a cone, through one line, through one point, touch a sphere, coincide.
 //   Quadrics are signed sums of squares of integer linear forms: every kind, with its rank exact.
-//   No two quadrics of a body meet: they are shells q and q + k, or spheres further apart than their radii.
+//   No two quadrics of a body meet, but for random_meeting_body: they are shells q and q + k, or spheres further apart than their radii.
 #pragma once
 
 #include <array>
@@ -32,6 +32,9 @@ struct BodyWish {
 };
 
 RandomBody random_body(Dice& dice, const BodyWish& wish);
+
+// Two to four quadrics that do meet, mostly within one that bounds them, and up to two planes.
+RandomBody random_meeting_body(Dice& dice, const BodyWish& wish);
 
 // The body with one half-space turned round: it mates with the first along that face.
 RandomBody mate_of(Dice& dice, RandomBody body);

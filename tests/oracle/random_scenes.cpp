@@ -228,6 +228,21 @@ std::string random_scene(std::uint64_t seed) {
   return out.str();
 }
 
+std::string random_meeting_scene(std::uint64_t seed) {
+  Dice dice(seed);
+  std::ostringstream out;
+  const std::int64_t bodies = dice.between(1, 2);
+  for (std::int64_t n = 0; n < bodies; ++n) {
+    const BodyWish wish{{dice.between(-2, 2), dice.between(-2, 2), dice.between(-2, 2)}, 4, true};
+    const std::string id = n == 0 ? "a" : "b";
+    out << placed(dice, body_text(dice, random_meeting_body(dice, wish), id), id, bodies == 1);
+  }
+  out << random_lights(dice);
+  const std::string view = random_view_parameters(dice, true);
+  if (!view.empty()) out << "view v" << view << ";\n";
+  return out.str();
+}
+
 IntegerScene random_integer_scene(std::uint64_t seed, int size) {
   Dice dice(seed);
   IntegerScene scene;

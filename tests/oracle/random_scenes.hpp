@@ -14,6 +14,9 @@ namespace halfspace::oracle {
 // none.
 std::string random_scene(std::uint64_t seed);
 
+// One or two bodies of quadrics that meet, fitted to the page.
+std::string random_meeting_scene(std::uint64_t seed);
+
 // Integers at once, with small coefficients: exact ties and tangencies abound. size x size dots.
 IntegerScene random_integer_scene(std::uint64_t seed, int size = 64);
 

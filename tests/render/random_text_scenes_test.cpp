@@ -16,7 +16,7 @@ namespace halfspace {
 namespace {
 
 struct Tally {
-  std::uint64_t drawn = 0, refused = 0, beyond_limits = 0, broken_bounds = 0;
+  std::uint64_t drawn = 0, refused = 0, beyond_limits = 0, broken_bounds = 0, misfits = 0;
 };
 
 // Does something show at both ends of the page, across or down (within a dot)?
@@ -33,8 +33,7 @@ bool spans_page(const IntegerScene& scene, const std::vector<std::int16_t>& leve
 }
 
 // One scene through everything; failures are reported with its seed and text.
-void check(std::uint64_t seed, Tally& tally) {
-  const std::string text = oracle::random_scene(seed);
+void check(std::uint64_t seed, const std::string& text, Tally& tally, bool may_be_thin = false) {
   const SourceText source{"seed " + std::to_string(seed), text};
   const ParseResult parsed = parse_uniquadrix(std::span(&source, 1));
   ASSERT_FALSE(has_errors(parsed.diagnostics)) << source.name << ": " << format(parsed.diagnostics.front()) << "\n"
@@ -63,7 +62,9 @@ void check(std::uint64_t seed, Tally& tally) {
   options.enough = hundredth + 1;
   const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels, options);
   const bool excused = promise.fitted && (promise.broken.size() <= hundredth || spans_page(flat.scene, drawn.levels));
-  if (!promise.broken.empty() && !excused) {
+  if (!promise.broken.empty() && !excused && may_be_thin && promise.fitted) {
+    ++tally.misfits;
+  } else if (!promise.broken.empty() && !excused) {
     const oracle::BrokenDot& dot = promise.broken.front();
     ADD_FAILURE() << source.name << ": dot (" << dot.x << ", " << dot.y << ") is " << dot.level << ", the text says "
                   << dot.truth << "\n"
@@ -80,7 +81,8 @@ class RandomTextScenes : public ::testing::TestWithParam<std::uint64_t> {};
 TEST_P(RandomTextScenes, KeepTruthAndPromise) {
   Tally tally;
   const std::uint64_t count = testing::random_count(10000);
-  for (std::uint64_t seed = 1 + GetParam(); seed <= count && !HasFailure(); seed += shares) check(seed, tally);
+  for (std::uint64_t seed = 1 + GetParam(); seed <= count && !HasFailure(); seed += shares)
+    check(seed, oracle::random_scene(seed), tally);
   std::printf("random texts, share %llu of %llu: %llu drawn, %llu refused, %llu with a bound over 1/256 dot\n",
               static_cast<unsigned long long>(GetParam() + 1), static_cast<unsigned long long>(shares),
               static_cast<unsigned long long>(tally.drawn), static_cast<unsigned long long>(tally.refused),
@@ -91,11 +93,31 @@ TEST_P(RandomTextScenes, KeepTruthAndPromise) {
 
 INSTANTIATE_TEST_SUITE_P(Shares, RandomTextScenes, ::testing::Range(std::uint64_t{0}, shares));
 
+// Bodies of quadrics that meet, without a window.
+class FittedMeetingScenes : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(FittedMeetingScenes, KeepTruthAndPromise) {
+  Tally tally;
+  const std::uint64_t count = testing::random_count(1000);
+  for (std::uint64_t seed = 1 + GetParam(); seed <= count && !HasFailure(); seed += shares) {
+    check(seed, oracle::random_meeting_scene(seed), tally, true);
+  }
+  std::printf("fitted meetings, share %llu of %llu: %llu drawn, %llu refused, %llu the oracle fits otherwise\n",
+              static_cast<unsigned long long>(GetParam() + 1), static_cast<unsigned long long>(shares),
+              static_cast<unsigned long long>(tally.drawn), static_cast<unsigned long long>(tally.refused),
+              static_cast<unsigned long long>(tally.misfits));
+  EXPECT_LE(tally.refused, 1 + count / 4);
+  // A body may be a line that the oracle's net does not catch; the picture is fitted to it all the same.
+  EXPECT_LE(tally.misfits, 1 + count / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shares, FittedMeetingScenes, ::testing::Range(std::uint64_t{0}, shares));
+
 // Scenes that once failed, each for its own reason (the log of this file's history tells).
 TEST(KeptTextScenes, StayRight) {
   Tally tally;
   for (const std::uint64_t seed : {185, 187, 203, 802, 916, 1604, 3156, 3663, 3741, 4802, 4882, 6597, 10973})
-    check(seed, tally);
+    check(seed, oracle::random_scene(seed), tally);
 }
 
 // Shells in perspective that reach their vanishing point.
@@ -103,7 +125,7 @@ TEST(KeptTextScenes, ShellsReachTheHorizon) {
   Tally tally;
   for (const std::uint64_t seed :
        {68, 104, 116, 205, 263, 365, 430, 498, 756, 869, 887, 1216, 1419, 1427, 1472, 1504, 1562, 1607, 1796}) {
-    check(seed, tally);
+    check(seed, oracle::random_scene(seed), tally);
   }
   EXPECT_EQ(tally.refused, 0U);
 }

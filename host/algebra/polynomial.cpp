@@ -1,4 +1,4 @@
-#include "host/resolve/polynomial.hpp"
+#include "host/algebra/polynomial.hpp"
 
 #include <flint/fmpz_poly.h>
 

@@ -1,0 +1,293 @@
+// How far bodies reach whose quadrics meet: solids with known boxes, and random ones against sampling.
+#include "host/flatten/meeting_extent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "host/flatten/extent.hpp"
+#include "tests/flatten/flatten_fixture.hpp"
+#include "tests/oracle/dice.hpp"
+
+namespace halfspace {
+namespace {
+
+using Coefficients = std::array<double, 10>;
+
+Side quadric(const Coefficients& c, std::size_t family, bool complement = false) {
+  Side side{{HalfSpaceKind::quadric, {}}, complement, family};
+  for (std::size_t i = 0; i < 10; ++i) side.shape.c[i] = c[i];
+  return side;
+}
+
+Side plane(double a, double b, double c, double d) {
+  return {{HalfSpaceKind::plane, {a, b, c, d}}, false, std::nullopt};
+}
+
+std::vector<Side> body(std::initializer_list<Coefficients> inside, std::initializer_list<Coefficients> outside = {}) {
+  std::vector<Side> sides;
+  for (const Coefficients& c : inside) sides.push_back(quadric(c, sides.size()));
+  for (const Coefficients& c : outside) sides.push_back(quadric(c, sides.size(), true));
+  return sides;
+}
+
+std::vector<Side> with(std::vector<Side> sides, std::initializer_list<Side> more) {
+  sides.insert(sides.end(), more.begin(), more.end());
+  return sides;
+}
+
+// Through three axes: every point x becomes x m.
+std::vector<Side> turned(std::vector<Side> sides, const char* degrees) {
+  const SineCosine t = sine_cosine_of_degrees(degrees);
+  const Matrix4 about_z{{{t.cosine, t.sine, 0, 0}, {-t.sine, t.cosine, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  const Matrix4 about_x{{{1, 0, 0, 0}, {0, t.cosine, t.sine, 0}, {0, -t.sine, t.cosine, 0}, {0, 0, 0, 1}}};
+  for (Side& side : sides) side.shape = normalised(transformed(side.shape, product(about_z, about_x)));
+  return sides;
+}
+
+void expect_box(const std::vector<Side>& sides, const std::array<double, 6>& box, double tolerance = 1e-15) {
+  const Extent extent = extent_of(sides);
+  EXPECT_FALSE(extent.empty);
+  EXPECT_FALSE(extent.unbounded);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(static_cast<double>(extent.box.low[i]), box[2 * i], tolerance) << "low " << i;
+    EXPECT_NEAR(static_cast<double>(extent.box.high[i]), box[2 * i + 1], tolerance) << "high " << i;
+  }
+}
+
+constexpr Coefficients ball{1, 1, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_x{0, 1, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_y{1, 0, 1, 0, 0, 0, 0, 0, 0, -1};
+constexpr Coefficients along_z{1, 1, 0, 0, 0, 0, 0, 0, 0, -1};
+
+Coefficients ball_at(double x, double y, double z, double r) {
+  return {1, 1, 1, 0, 0, 0, -x, -y, -z, x * x + y * y + z * z - r * r};
+}
+
+TEST(MeetingExtent, SteinmetzOfTwo) { expect_box(body({along_x, along_y}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, SteinmetzOfThree) { expect_box(body({along_x, along_y, along_z}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, SimpleNumbersStaySimple) {
+  const Extent extent = extent_of(body({along_x, along_y}));
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(extent.box.high[i] == 1 && extent.box.low[i] == -1) << i;
+}
+
+// About the six axes through opposite edges of a cube. It touches the unit sphere on the three axes of fourth order.
+TEST(MeetingExtent, SteinmetzOfSix) {
+  // |x|^2 - (x . d)^2 <= 1 for d = (1, 1, 0) / sqrt 2 and so on
+  expect_box(body({{.5, .5, 1, -.5, 0, 0, 0, 0, 0, -1},
+                   {.5, .5, 1, .5, 0, 0, 0, 0, 0, -1},
+                   {1, .5, .5, 0, -.5, 0, 0, 0, 0, -1},
+                   {1, .5, .5, 0, .5, 0, 0, 0, 0, -1},
+                   {.5, 1, .5, 0, 0, -.5, 0, 0, 0, -1},
+                   {.5, 1, .5, 0, 0, .5, 0, 0, 0, -1}}),
+             {-1, 1, -1, 1, -1, 1}, 1e-9);
+}
+
+TEST(MeetingExtent, Lens) {
+  const double r = std::sqrt(0.75);
+  expect_box(body({ball_at(.5, 0, 0, 1), ball_at(-.5, 0, 0, 1)}), {-.5, .5, -r, r, -r, r});
+}
+
+TEST(MeetingExtent, SmallLensFarAway) {
+  const double r = std::sqrt(0.75);
+  expect_box(body({ball_at(1000.5, 4000, 0, 1), ball_at(999.5, 4000, 0, 1)}),
+             {999.5, 1000.5, 4000 - r, 4000 + r, -r, r}, 1e-9);
+}
+
+// Three balls through the origin: their lens ends there, and where two of the spheres turn.
+TEST(MeetingExtent, ThreeSpheresMeetInAPoint) {
+  const double r = std::sqrt(0.5);
+  expect_box(body({ball_at(1, 0, 0, 1), ball_at(0, 1, 0, 1), ball_at(0, 0, 1, 1)}), {0, r, 0, r, 0, r});
+}
+
+// A tip in which three cylinders of radius 1 meet: (t, t, t) with 2 t^2 = 1, of which a plane through it cuts off the rest.
+TEST(MeetingExtent, TipOfThreeCylinders) {
+  const double t = std::sqrt(0.5);
+  const Extent extent = extent_of(with(body({along_x, along_y, along_z}), {plane(-1, -1, -1, 2)}));
+  EXPECT_NEAR(static_cast<double>(extent.box.low[0]), 2 - 2 * t, 1e-12);
+}
+
+TEST(MeetingExtent, BallWithAHoleThroughIt) {
+  const double h = std::sqrt(0.75);
+  expect_box(body({ball}, {{1, 1, 0, 0, 0, 0, 0, 0, 0, -.25}}), {-1, 1, -1, 1, -h, h});
+}
+
+TEST(MeetingExtent, BetweenTheSheetsOfAHyperboloid) {
+  // z^2 <= x^2 / 4 + y^2 + 1 in the cylinder x^2 + y^2 <= 4
+  const double h = std::sqrt(5.0);
+  expect_box(body({{-.25, -1, 1, 0, 0, 0, 0, 0, 0, -1}, {1, 1, 0, 0, 0, 0, 0, 0, 0, -4}}), {-2, 2, -2, 2, -h, h});
+}
+
+TEST(MeetingExtent, ConeCutByABall) {
+  const double r = std::sqrt(0.5);
+  const std::vector<Side> both = body({ball, {1, 1, -1, 0, 0, 0, 0, 0, 0, 0}});
+  expect_box(both, {-r, r, -r, r, -1, 1});
+  expect_box(with(both, {plane(0, 0, -1, 0)}), {-r, r, -r, r, 0, 1});
+}
+
+// They meet in circles of constant z.
+TEST(MeetingExtent, ConeInACylinder) {
+  expect_box(body({{1, 1, 0, 0, 0, 0, 0, 0, 0, -1}, {-1, -1, 1, 0, 0, 0, 0, 0, 0, 0}}), {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, ParaboloidUnderACone) {
+  // z >= x^2 + y^2 and z <= 1 - |(x, y)| / 2 as (z - 1)^2 >= ..., z <= 1: they meet at r^2 = 1 - r / 2
+  const double r = (std::sqrt(4.25) - .5) / 2;
+  expect_box(with(body({{1, 1, 0, 0, 0, 0, 0, 0, -.5, 0}, {.25, .25, -1, 0, 0, 0, 0, 0, 1, -1}}), {plane(0, 0, 1, -1)}),
+             {-r, r, -r, r, 0, 1});
+}
+
+TEST(MeetingExtent, TouchingSpheresLeaveAPoint) {
+  expect_box(body({ball, ball_at(2, 0, 0, 1)}), {1, 1, 0, 0, 0, 0}, 1e-5);
+}
+
+TEST(MeetingExtent, OneBallInsideTheOther) { expect_box(body({ball, ball_at(.25, 0, 0, 3)}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, ApartIsEmpty) { EXPECT_TRUE(extent_of(body({ball, ball_at(2.001, 0, 0, 1)})).empty); }
+
+TEST(MeetingExtent, SharedPlaneOfTwoPairs) {
+  // x y <= 0, x z <= 0 in a ball
+  expect_box(body({ball, {0, 0, 0, .5, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, .5, 0, 0, 0, 0}}), {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, EqualQuadrics) { expect_box(body({ball, ball, along_x}), {-1, 1, -1, 1, -1, 1}); }
+
+TEST(MeetingExtent, TurnedWithItsSurfaces) {
+  for (const char* degrees : {"0", "30", "45", "33", "90"}) {
+    const Extent lens = extent_of(turned(body({ball_at(.5, 0, 0, 1), ball_at(-.5, 0, 0, 1)}), degrees));
+    ASSERT_FALSE(lens.empty || lens.unbounded);
+    const double t = std::stod(degrees) * 3.14159265358979323846 / 180;
+    const double along = std::abs(std::cos(t));
+    const double cap = 1 - .5 * along;  // where the ball that ends there turns, if that lies in the other
+    const double rim = std::sqrt(.75) * std::abs(std::sin(t));
+    EXPECT_NEAR(static_cast<double>(lens.box.high[0]), along >= .5 ? cap : rim, 1e-12) << degrees;
+  }
+}
+
+TEST(MeetingExtent, WithoutEnd) {
+  const Coefficients cone{1, 1, -1, 0, 0, 0, 0, 0, 0, 0};
+  const Coefficients narrow{4, 4, -1, 0, 0, 0, 0, 0, 0, 0};
+  const Coefficients beside{1, 1, 0, 0, 0, 0, -.5, 0, 0, -1};
+  for (const auto& sides : {body({cone}, {narrow}), body({along_z, beside}), body({along_z}, {beside}),
+                            body({{1, 0, 0, 0, 0, 0, 0, 0, -.5, 0}, ball}, {}), body({}, {ball, along_z})}) {
+    const bool has_ball = sides.size() == 2 && sides[1].shape.c[2] == 1 && !sides[1].complement;
+    EXPECT_EQ(extent_of(sides).unbounded, !has_ball);
+    EXPECT_EQ(extent_of(turned(sides, "33")).unbounded, !has_ball);
+  }
+}
+
+TEST(MeetingExtent, TheMeetingIsTheOnlyEnd) {
+  // Cylinders of different radius, turned, and a cone closed by another one upside down.
+  expect_box(body({along_x, {1, 0, 1, 0, 0, 0, 0, 0, 0, -.25}}), {-.5, .5, -1, 1, -.5, .5});
+  const std::vector<Side> cones = with(body({{1, 1, -1, 0, 0, 0, 0, 0, -1, -1}, {1, 1, -1, 0, 0, 0, 0, 0, 1, -1}}),
+                                       {plane(0, 0, 1, -1), plane(0, 0, -1, -1)});
+  expect_box(cones, {-1, 1, -1, 1, -1, 1});
+}
+
+TEST(MeetingExtent, SlackIsKept) {
+  const std::vector<Side> sides = turned(body({along_x, along_y, along_z}), "33");
+  const Extent exact = extent_of(sides);
+  for (const double slack : {.25, .01, .0001}) {
+    const Extent near = extent_of(sides, slack);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_TRUE(near.box.high[i] >= exact.box.high[i] && near.box.high[i] <= exact.box.high[i] + slack);
+      EXPECT_TRUE(near.box.low[i] <= exact.box.low[i] && near.box.low[i] >= exact.box.low[i] - slack);
+    }
+  }
+}
+
+// --- Random bodies against sampling.
+
+struct RandomMeeting {
+  std::vector<Side> sides;
+
+  explicit RandomMeeting(std::uint64_t seed) {
+    oracle::Dice dice(seed);
+    sides.push_back(quadric(ball_at(0, 0, 0, 2), 0));
+    for (std::int64_t n = dice.between(1, 3); n > 0; --n) {
+      Coefficients c{};
+      for (double& v : c) v = static_cast<double>(dice.between(-2, 2));
+      sides.push_back(quadric(c, sides.size(), dice.chance(50)));
+    }
+    if (dice.chance(40)) sides.push_back(plane(1, static_cast<double>(dice.between(-2, 2)), .5, -.25));
+    if (dice.chance(30)) sides = turned(std::move(sides), "33");
+  }
+
+  [[nodiscard]] bool holds(const std::array<double, 3>& p) const {
+    for (const Side& side : sides) {
+      const auto& c = side.shape.c;
+      double value = 0;
+      if (side.shape.kind == HalfSpaceKind::plane) {
+        value = static_cast<double>(c[3]);
+        for (std::size_t i = 0; i < 3; ++i) value += static_cast<double>(c[i]) * p[i];
+      } else {
+        value = static_cast<double>(c[9]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          value += 2 * static_cast<double>(c[6 + i]) * p[i];
+          for (std::size_t j = 0; j < 3; ++j) value += static_cast<double>(c[quadric_index[i][j]]) * p[i] * p[j];
+        }
+      }
+      if (side.complement ? value < 0 : value > 0) return false;
+    }
+    return true;
+  }
+};
+
+// How far small steps outwards lead from the outermost points.
+double climb(const RandomMeeting& body, std::vector<std::array<double, 3>> points, std::size_t axis, double sign,
+             oracle::Dice& dice) {
+  const auto further = [&](const auto& a, const auto& b) { return sign * a[axis] > sign * b[axis]; };
+  std::sort(points.begin(), points.end(), further);
+  points.resize(std::min<std::size_t>(points.size(), 3));
+  double best = -4;
+  for (std::array<double, 3> p : points) {
+    for (double step = .1; step > 1e-5; step *= .98) {
+      for (int n = 0; n < 15; ++n) {
+        std::array<double, 3> q = p;
+        for (double& v : q) v += step * static_cast<double>(dice.between(-1000, 1000)) / 1000;
+        if (further(q, p) && body.holds(q)) p = q;
+      }
+    }
+    best = std::max(best, sign * p[axis]);
+  }
+  return best;
+}
+
+TEST(MeetingExtent, HoldsAndTouchesRandomBodies) {
+  int ends = 0, touched = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const RandomMeeting random(seed);
+    const Extent extent = extent_of(random.sides);
+    EXPECT_FALSE(extent.unbounded) << seed;
+    oracle::Dice dice(seed);
+    std::vector<std::array<double, 3>> points;
+    for (int n = 0; n < 20000; ++n) {
+      std::array<double, 3> p{};
+      for (double& v : p) v = static_cast<double>(dice.between(-20000, 20000)) / 10000;
+      if (random.holds(p)) points.push_back(p);
+    }
+    if (points.empty()) continue;
+    ASSERT_FALSE(extent.empty) << seed;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) {
+        const double reached = climb(random, points, axis, sign, dice);
+        const double end = sign * static_cast<double>(sign > 0 ? extent.box.high[axis] : extent.box.low[axis]);
+        EXPECT_LE(reached, end + 1e-12) << "seed " << seed << " axis " << axis << " sign " << sign;
+        ++ends;
+        touched += reached > end - .02 ? 1 : 0;
+        if (reached <= end - .02)
+          std::printf("seed %d axis %zu sign %g: %.6f < %.6f\n", int(seed), axis, sign, reached, end);
+      }
+    }
+  }
+  EXPECT_GE(touched, ends * 98 / 100) << "of " << ends;
+}
+
+}  // namespace
+}  // namespace halfspace
