@@ -53,23 +53,7 @@ DepthSample quotient(Approximate n, const Wide<Bits>& d) {
   return {negative ? -z : z, error};
 }
 
-// -b + sheet sqrt(D), both terms on the scale of the larger.
-Approximate root_numerator(const ActiveFace& f, std::int32_t x, std::int32_t y) {
-  const ScaledQuadratic& form = f.surface.discriminant;
-  Wide<128> d = form.at(x, y);
-  if (d.negative()) d = Wide<128>();
-  const int exponent = form.exponent / 2;
-  // A rounded D must be off by less than a unit of what is kept.
-  const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
-  const Wide<128> b = f.c[5].times(x) + f.c[4].times(y) + f.c[8];
-  const int root_shift = std::max({(d.bit_length() - 61) >> 1, least, b.bit_length() - 60 - exponent});
-  const auto root = static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(scaled(d, 2 * root_shift))));
-  return {-scaled(b, root_shift + exponent) + f.sheet * root, 4, root_shift + exponent};
-}
-
-DepthSample local_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) {
-  if (f.kind == FaceKind::root) return quotient(root_numerator(f, x, y), f.c[2]);
-  if (f.kind == FaceKind::plane) return quotient(leading(-(f.c[0].times(x) + f.c[1].times(y) + f.c[3])), f.c[2]);
+DepthSample rational_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) {
   const auto c = [&f](int i) { return Int(f.c[i]); };
   const Int b = c(5).times(x) + c(4).times(y) + c(8);
   const Int linear_x = c(0).times(x) + (c(3).times(y) + c(6)).times(2);
@@ -78,47 +62,119 @@ DepthSample local_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) {
   return b.is_zero() ? unrepresentable : quotient(leading(-rest), b + b);
 }
 
-// Bounds of f - g at the two ends of a half run, as explained in the header.
+int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
+
+// start + slope t over 0 <= t <= length stays below 2^bits.
+int linear_bits(std::int32_t length, const Wide<128>& start, const Wide<128>& slope) {
+  return std::max(start.bit_length(), length == 0 ? 0 : slope.bit_length() + bits_of(length)) + 1;
+}
+
+// d0 + d1 t + d2 t^2 there: it is nowhere farther than |d2| length^2 / 4 from its chord.
+int quadratic_bits(std::int32_t length, const Wide<128>& d0, const Wide<128>& d1, const Wide<128>& d2) {
+  const Wide<128> end = (d2.times(length) + d1).times(length) + d0;
+  return std::max({d0.bit_length(), end.bit_length(), d2.bit_length() + 2 * bits_of(length) - 2}) + 1;
+}
+
+// Whether both faces are sheets of one surface and the same one of them: then they tie on every dot. Their polynomials are
+// compared in f's frame, where g's p is p - d.
+bool coincide(const ActiveFace& f, const ActiveFace& g) {
+  if (f.kind != g.kind || f.sheet != g.sheet) return false;
+  const std::array<Int, 3> d{Int(g.origin_x) - Int(f.origin_x), Int(g.origin_y) - Int(f.origin_y),
+                             Int(g.origin_z) - Int(f.origin_z)};
+  const auto along = [&d](const ActiveFace& of, int i, int j, int k) {
+    return Int(of.c[i]) * d[0] + Int(of.c[j]) * d[1] + Int(of.c[k]) * d[2];
+  };
+  if (f.kind == FaceKind::plane) {
+    return std::equal(f.c.begin(), f.c.begin() + 3, g.c.begin()) && Int(f.c[3]) == Int(g.c[3]) - along(g, 0, 1, 2);
+  }
+  if (!std::equal(f.c.begin(), f.c.begin() + 6, g.c.begin())) return false;
+  const std::array<Int, 3> m{along(g, 0, 3, 5), along(g, 3, 1, 4), along(g, 5, 4, 2)};
+  Int constant(g.c[9]);
+  for (int i = 0; i < 3; ++i) {
+    if (Int(f.c[6 + i]) != Int(g.c[6 + i]) - m[i]) return false;
+    constant -= (Int(f.c[6 + i]) + Int(g.c[6 + i])) * d[i];  // d'Md - 2 l.d, where Md is the difference of both l
+  }
+  return Int(f.c[9]) == constant;
+}
+
+// What a face may reach at one end of a half run, times `far`: its depth there, or that of the chord of the other half,
+// `far` dots long, produced by the half's `near` dots.
 struct Strip {
   std::int64_t low, high;
 };
 
-Strip strip(const DepthSample& end, const DepthSample& middle, const DepthSample& far) {
-  const std::int64_t extended = 2 * middle.z - far.z;
-  return {std::min(end.z, extended), std::max(end.z, extended)};
-}
-
-// -1: f nearer over the whole half run, +1: g, 0: cannot tell.
-int settled(const DepthSample (&f)[3], const DepthSample (&g)[3], int end) {
-  const int far = 2 - end;
-  std::int64_t error = 0;
-  for (int i = 0; i < 3; ++i) {
-    if (f[i].error < 0 || g[i].error < 0) return 0;
-    error = std::max(error, f[i].error + g[i].error);
-  }
-  error *= 3;  // an extended value carries three errors
-  const Strip sf = strip(f[end], f[1], f[far]);
-  const Strip sg = strip(g[end], g[1], g[far]);
-  const std::int64_t middle = f[1].z - g[1].z;
-  if (sf.high - sg.low < -error && middle < -error) return -1;
-  if (sf.low - sg.high > error && middle > error) return 1;
-  return 0;
+Strip strip(std::int64_t end, std::int64_t middle, std::int64_t other, std::int32_t near, std::int32_t far) {
+  const std::int64_t extended = far * middle - near * (other - middle);
+  return {std::min(far * end, extended), std::max(far * end, extended)};
 }
 
 }  // namespace
 
-DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y) {
-  DepthSample s = local_depth(face, x - face.origin_x, y - face.origin_y);
-  if (s.error < 0) return s;
+void make_inverse(ActiveFace& face) {
+  const int bits = face.c[2].bit_length();
+  face.inverse =
+      static_cast<std::uint32_t>((std::uint64_t{1} << 61) / static_cast<std::uint64_t>(scaled(face.c[2], bits - 31)));
+  face.inverse_exponent = static_cast<std::int16_t>(bits + 30);
+}
+
+DepthLine::DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b)
+    : face_(face), y_(y - face.origin_y), a_(a) {
+  if (face.kind == FaceKind::root) load_root(a - face.origin_x, y_, b - a);
+  if (face.kind == FaceKind::plane) load_plane(a - face.origin_x, y_, b - a);
+}
+
+// A unit is 2^unit of the face's own; -b stays below 2^30 units.
+void DepthLine::load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit) {
+  start_ = -scaled(start, unit - 16);
+  if (length > 0) slope_ = -scaled(slope, unit - 16);
+  const int up = unit - face_.inverse_exponent + depth_fraction;
+  shift_ = static_cast<std::int16_t>(std::min(-up, 63));
+  error_ = shift_ < 0 ? -1 : (std::int64_t{4} * face_.inverse >> shift_) + 3;
+}
+
+void DepthLine::load_plane(std::int32_t x, std::int32_t y, std::int32_t length) {
+  const Wide<128> start = face_.c[0].times(x) + face_.c[1].times(y) + face_.c[3];
+  load_numerator(length, start, face_.c[0], linear_bits(length, start, face_.c[0]) - 30);
+}
+
+void DepthLine::load_root(std::int32_t x, std::int32_t y, std::int32_t length) {
+  const ScaledQuadratic& form = face_.surface.discriminant;
+  d2_ = form.q[0];
+  d1_ = form.q[0].times(2 * x) + form.q[1].times(y) + form.q[3];
+  d0_ = form.at(x, y);
+  const Wide<128> start = face_.c[5].times(x) + face_.c[4].times(y) + face_.c[8];
+  const int exponent = form.exponent / 2;
+  // A rounded D must be off by less than a unit of what is kept.
+  const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
+  root_shift_ = static_cast<std::int16_t>(std::max({(quadratic_bits(length, d0_, d1_, d2_) - 59) >> 1, least,
+                                                    linear_bits(length, start, face_.c[5]) - 30 - exponent}));
+  load_numerator(length, start, face_.c[5], root_shift_ + exponent);
+}
+
+DepthSample DepthLine::at(std::int32_t x) const {
+  if (face_.kind == FaceKind::rational) return in_page(rational_depth(face_, x - face_.origin_x, y_));
+  if (error_ < 0) return unrepresentable;
+  const std::int32_t t = x - a_;
+  std::int64_t units = (start_ + slope_ * t) >> 16;
+  if (face_.kind == FaceKind::root) {
+    const std::int64_t d = scaled((d2_.times(t) + d1_).times(t) + d0_, 2 * root_shift_);
+    units += face_.sheet * static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(d, 0))));
+  }
+  const std::int64_t z = (units * face_.inverse) >> shift_;
+  return in_page({z, error_ + ((z < 0 ? -z : z) >> 29)});
+}
+
+DepthSample DepthLine::in_page(DepthSample local) const {
   constexpr std::int64_t most = largest_depth >> depth_fraction;
-  if (face.origin_z > most || face.origin_z < -most) return unrepresentable;
-  s.z += face.origin_z * (std::int64_t{1} << depth_fraction);
-  return s;
+  if (local.error < 0 || local.z > largest_depth || -local.z > largest_depth) return unrepresentable;
+  if (face_.origin_z > most || -face_.origin_z > most) return unrepresentable;
+  local.z += face_.origin_z * (std::int64_t{1} << depth_fraction);
+  return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
 }
 
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
                        const ExactModule& exact, Counters& counters)
-    : f_(f), g_(g), y_(y), exact_(exact), counters_(counters) {
+    : f_(f), g_(g), f_line_(f, y, a, b), g_line_(g, y, a, b), y_(y), exact_(exact), counters_(counters) {
   push(a, b, 0);
 }
 
@@ -126,9 +182,12 @@ void DepthOrder::push(std::int32_t a, std::int32_t b, int known) {
   stack_[depth_++] = {static_cast<std::int16_t>(a), static_cast<std::int16_t>(b), static_cast<std::int8_t>(known)};
 }
 
-DepthSample DepthOrder::sample(const ActiveFace& face, std::int32_t x) {
-  ++counters_.depth_samples;
-  return sample_depth(face, x, y_);
+DepthOrder::Pair DepthOrder::sample(std::int32_t x) {
+  for (const Pair& pair : recent_) {
+    if (pair.x == x) return pair;
+  }
+  counters_.depth_samples += 2;
+  return {x, f_line_.at(x), g_line_.at(x)};
 }
 
 int DepthOrder::winner(int sign) const {
@@ -136,42 +195,70 @@ int DepthOrder::winner(int sign) const {
   return sign;
 }
 
-// sign(z_f - z_g) at a dot.
-int DepthOrder::order_at(std::int32_t x) {
-  const DepthSample f = sample(f_, x);
-  const DepthSample g = sample(g_, x);
-  if (f.error >= 0 && g.error >= 0) {
-    const std::int64_t difference = f.z - g.z;
-    if (difference > f.error + g.error) return 1;
-    if (-difference > f.error + g.error) return -1;
-  }
-  ++counters_.exact_depths;
-  return exact_.compare_depth(f_, g_, x, y_);
+bool DepthOrder::one_surface() {
+  if (!compared_) one_surface_ = coincide(f_, g_);
+  compared_ = true;
+  return one_surface_;
 }
 
-// Two planes: their distance is linear along the run, so equal signs at the ends settle it.
-bool DepthOrder::split_planes(const Run& run, Piece& piece) {
-  const int left = order_at(run.a);
-  const int right = run.a == run.b ? left : order_at(run.b);
-  if (left == right) {
-    piece = {run.b, winner(left) < 0};
-    return true;
+// The face that shows at a dot.
+int DepthOrder::winner_at(std::int32_t x) {
+  const Pair at = sample(x);
+  if (at.f.error >= 0 && at.g.error >= 0) {
+    const std::int64_t difference = at.f.z - at.g.z;
+    if (difference > at.f.error + at.g.error) return 1;
+    if (-difference > at.f.error + at.g.error) return -1;
   }
-  const std::int32_t m = run.a + (run.b - run.a) / 2;
-  push(m + 1, run.b, 0);
-  push(run.a, m, 0);
-  return false;
+  if (one_surface()) return winner(0);
+  ++counters_.exact_depths;
+  return winner(exact_.compare_depth(f_, g_, x, y_));
+}
+
+// Where the ends settle what lies between: two dots, or two planes, whose distance is linear.
+bool DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
+  const int left = winner_at(run.a);
+  const int right = run.a == run.b ? left : winner_at(run.b);
+  piece = {run.b, left < 0};
+  if (left == right) return true;
+  if (run.b - run.a > 1) {
+    const std::int32_t m = run.a + (run.b - run.a) / 2;
+    push(m + 1, run.b, 0);
+    push(run.a, m, 0);
+    return false;
+  }
+  piece.end = run.a;
+  push(run.b, run.b, right);
+  return true;
+}
+
+// -1: f nearer over the whole half run from `end` to recent_[1], +1: g, 0: cannot tell.
+int DepthOrder::nearer_half(const Pair& end, const Pair& other) const {
+  const Pair& middle = recent_[1];
+  std::int64_t error = 0;
+  for (const Pair& pair : recent_) {
+    if (pair.f.error < 0 || pair.g.error < 0) return 0;
+    error = std::max(error, pair.f.error + pair.g.error);
+  }
+  const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
+  const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
+  const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
+  const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
+  const std::int64_t difference = middle.f.z - middle.g.z;
+  const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
+  if (f.high - g.low < -ends && difference < -error) return -1;
+  if (f.low - g.high > ends && difference > error) return 1;
+  return 0;
 }
 
 // Settles the run's left half, or leaves both halves on the stack.
 bool DepthOrder::halve(const Run& run, Piece& piece) {
-  const std::int32_t m = (run.a + run.b) / 2;
-  const DepthSample f[3] = {sample(f_, run.a), sample(f_, m), sample(f_, run.b)};
-  const DepthSample g[3] = {sample(g_, run.a), sample(g_, m), sample(g_, run.b)};
-  const int left = settled(f, g, 0);
-  const int right = settled(f, g, 2);
-  if (left != 0 && left == right) {
-    piece = {run.b, left < 0};
+  const std::int32_t m = run.a + (run.b - run.a) / 2;
+  const Pair now[3] = {sample(run.a), sample(m), sample(run.b)};
+  std::copy(now, now + 3, recent_);
+  const int left = nearer_half(recent_[0], recent_[2]);
+  const int right = nearer_half(recent_[2], recent_[0]);
+  if (left == right && (left != 0 || one_surface())) {
+    piece = {run.b, winner(left) < 0};
     return true;
   }
   push(m + 1, run.b, right);
@@ -185,20 +272,11 @@ bool DepthOrder::halve(const Run& run, Piece& piece) {
 
 DepthOrder::Piece DepthOrder::next() {
   Piece piece{};
+  const bool planes = f_.kind == FaceKind::plane && g_.kind == FaceKind::plane;
   for (;;) {
     const Run run = stack_[--depth_];
     if (run.known != 0) return {run.b, run.known < 0};
-    if (f_.kind == FaceKind::plane && g_.kind == FaceKind::plane) {
-      if (split_planes(run, piece)) return piece;
-    } else if (run.b - run.a < 2) {
-      if (run.b > run.a) push(run.b, run.b, 0);
-      return {run.a, winner(order_at(run.a)) < 0};
-    } else if ((run.b - run.a) % 2 != 0) {
-      push(run.b, run.b, 0);
-      push(run.a, run.b - 1, 0);
-    } else if (halve(run, piece)) {
-      return piece;
-    }
+    if (planes || run.b - run.a < 2 ? settle_by_ends(run, piece) : halve(run, piece)) return piece;
   }
 }
 

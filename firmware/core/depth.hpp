@@ -1,15 +1,14 @@
 // depth.hpp - which of two faces is nearer along a run of dots, mostly without visiting them.
 //
-//   Restricted to a scan line a face is a straight line or one branch of a conic in (x, z), so its curvature
-//   keeps one sign. Between three equally spaced dots a, m, b a face therefore lies between two straight
-//   lines:
-//       over [a, m]:  from min / max(f(a), 2 f(m) - f(b)) at a to f(m) at m        (and mirrored over [m, b])
-//   If these strips of two faces do not overlap, their order is settled for the whole half run; otherwise the
-//   half is halved again, down to single dots, which are decided exactly (exact.hpp).
+//   Restricted to a scan line a face is a straight line or one branch of a conic in (x, z), so its curvature keeps one sign.
+//   Between dots a < m < b a face therefore lies between two straight lines:
+//       over [a, m]:  from f(a), or from the chord of [m, b] produced to a, to f(m) at m        (and mirrored over [m, b])
+//   If these strips of two faces do not overlap, their order is settled for the whole half run; otherwise the half is halved
+//   again, down to single dots, which are decided exactly (exact.hpp). Two sheets of one surface tie everywhere.
 // Cost    Proportional to the number of crossings times the logarithm of the run, not to the run's length.
-// Memory  A stack of 34 runs: a run of at most 2^15 dots is halved at most 15 times, each leaving at most two
-// behind. Source  Ressler 1985, 5.5.1 compares depths where an edge enters; interpenetrating bodies are not
-// in the paper.
+// Memory  A stack of 16 runs: one of at most 2^15 dots is halved at most 14 times, down to two dots, and leaves one behind each
+//         time.
+// Source  Ressler 1985, 5.5.1 compares depths where an edge enters; interpenetrating bodies are not in the paper.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +42,31 @@ struct DepthSample {
 };
 inline constexpr int depth_fraction = 16;
 
-[[nodiscard]] DepthSample sample_depth(const ActiveFace& face, std::int32_t x, std::int32_t y);
+// Fills what a depth is divided by; a plane or a root face needs it once, when it enters. c2 > 0.
+void make_inverse(ActiveFace& face);
+
+// A face on dots a .. b of scan line y, where it exists.
+//   plane, root   z = (-b(t) + sheet sqrt(D(t))) / c2, t = x - a: what depends on y alone is computed once, and so is the error
+//   rational      z = -c / (2 b), dot by dot
+class DepthLine {
+ public:
+  DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
+  [[nodiscard]] DepthSample at(std::int32_t x) const;
+
+ private:
+  void load_root(std::int32_t x, std::int32_t y, std::int32_t length);
+  void load_plane(std::int32_t x, std::int32_t y, std::int32_t length);
+  void load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit);
+  [[nodiscard]] DepthSample in_page(DepthSample local) const;
+
+  const ActiveFace& face_;
+  std::int32_t y_, a_;
+  std::int64_t start_ = 0, slope_ = 0;  // of -b, in 2^-16 units
+  Wide<128> d2_, d1_, d0_;              // D
+  std::int16_t root_shift_ = 0;         // D 2^-2root_shift is in squares of units
+  std::int16_t shift_ = 0;              // z = units * inverse >> shift
+  std::int64_t error_ = 0;
+};
 
 // The order of two faces along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
@@ -65,19 +88,29 @@ class DepthOrder {
     std::int16_t a, b;
     std::int8_t known;  // -1: f shows, +1: g shows, 0: not settled yet
   };
+  // Both faces at a dot.
+  struct Pair {
+    std::int32_t x = -1;
+    DepthSample f, g;
+  };
   void push(std::int32_t a, std::int32_t b, int known);
   bool halve(const Run& run, Piece& piece);
-  bool split_planes(const Run& run, Piece& piece);
+  bool settle_by_ends(const Run& run, Piece& piece);
+  [[nodiscard]] int nearer_half(const Pair& end, const Pair& other) const;
   [[nodiscard]] int winner(int sign) const;
-  [[nodiscard]] DepthSample sample(const ActiveFace& face, std::int32_t x);
-  [[nodiscard]] int order_at(std::int32_t x);
+  [[nodiscard]] int winner_at(std::int32_t x);
+  [[nodiscard]] bool one_surface();
+  [[nodiscard]] Pair sample(std::int32_t x);
 
   const ActiveFace& f_;
   const ActiveFace& g_;
+  DepthLine f_line_, g_line_;
   std::int32_t y_;
   const ExactModule& exact_;
   Counters& counters_;
-  Run stack_[34];
+  Pair recent_[3];  // a halved run's: half of it asks for two of them again
+  bool compared_ = false, one_surface_ = false;
+  Run stack_[16];
   int depth_ = 0;
 };
 

@@ -191,6 +191,7 @@ class Engine {
     ActiveFace& face = p_.faces[number];
     read_face(in_, type_, face);
     if (!has_depth(face)) return fail(DrawStatus::bad_record);
+    if (face.kind != FaceKind::rational) make_inverse(face);
     if (face.kind == FaceKind::plane) return;
     const FaceModule* module = module_of(face.kind);
     if (module == nullptr) return fail(DrawStatus::missing_module);

@@ -51,6 +51,8 @@ struct ActiveFace {
   RootSurface surface;  // of a root face
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
+  std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_inverse()
+  std::int16_t inverse_exponent = 0;
   std::uint32_t order = 0;  // of equally near faces the lowest wins
   FaceKind kind = FaceKind::plane;
   std::int8_t sheet = 0;       // root: -1 front, +1 back
@@ -72,12 +74,12 @@ inline void read_face(JobReader& in, Record type, ActiveFace& face) {
   face.kind = type == Record::plane_face  ? FaceKind::plane
               : type == Record::root_face ? FaceKind::root
                                           : FaceKind::rational;
+  face.sheet = 0;
   if (face.kind == FaceKind::plane) {
     face.level = in.byte();
   } else {
     const std::uint8_t flags = in.byte();  // bit 0: back sheet; bit 1: normal against the gradient
-    const int sheet = face.kind == FaceKind::rational ? 0 : (flags & 1U) != 0 ? 1 : -1;
-    face.sheet = static_cast<std::int8_t>(sheet);
+    if (face.kind == FaceKind::root) face.sheet = (flags & 1U) != 0 ? 1 : -1;
     face.light_sign = (flags & 2U) != 0 ? -1 : 1;
   }
   const int count = face.kind == FaceKind::plane ? 4 : 10;

@@ -5,6 +5,7 @@
 // factors fill. No heap; cannot fail.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <compare>
@@ -16,9 +17,11 @@ namespace halfspace {
 #ifdef __SIZEOF_INT128__
 using Limb = std::uint64_t;
 __extension__ using DoubleLimb = unsigned __int128;
+__extension__ using SignedDoubleLimb = __int128;
 #else
 using Limb = std::uint32_t;
 using DoubleLimb = std::uint64_t;
+using SignedDoubleLimb = std::int64_t;
 #endif
 inline constexpr int limb_bits = static_cast<int>(sizeof(Limb) * 8);
 
@@ -55,6 +58,7 @@ class Wide {
   constexpr int sign() const { return negative() ? -1 : (is_zero() ? 0 : 1); }
 
   constexpr Wide& operator+=(const Wide& o) {
+    if constexpr (is_pair) return *this = of_pair(pair() + o.pair());
     Limb carry = 0;
     for (int i = 0; i < limbs; ++i) {
       const DoubleLimb sum = static_cast<DoubleLimb>(limb_[i]) + o.limb_[i] + carry;
@@ -64,6 +68,7 @@ class Wide {
     return *this;
   }
   constexpr Wide& operator-=(const Wide& o) {
+    if constexpr (is_pair) return *this = of_pair(pair() - o.pair());
     Limb borrow = 0;
     for (int i = 0; i < limbs; ++i) {
       const DoubleLimb difference = static_cast<DoubleLimb>(limb_[i]) - o.limb_[i] - borrow;
@@ -83,6 +88,7 @@ class Wide {
 
   // The product with a small number: one pass over the limbs, no sign handling (modulo 2^Bits it comes out right).
   constexpr Wide times(std::int32_t n) const {
+    if constexpr (is_pair) return of_pair(pair() * static_cast<DoubleLimb>(n));
     Wide r;
     const auto magnitude = static_cast<Limb>(n < 0 ? -static_cast<std::int64_t>(n) : n);
     Limb carry = 0;
@@ -96,6 +102,7 @@ class Wide {
 
   // Left shift by 0 .. Bits - 1; arithmetic right shift (towards minus infinity) by any amount.
   constexpr Wide operator<<(int count) const {
+    if constexpr (is_pair) return of_pair(pair() << count);
     Wide r;
     const int whole = count / limb_bits;
     const int part = count % limb_bits;
@@ -106,6 +113,7 @@ class Wide {
     return r;
   }
   constexpr Wide operator>>(int count) const {
+    if constexpr (is_pair) return of_pair(static_cast<DoubleLimb>(signed_pair() >> std::min(count, Bits - 1)));
     Wide r;
     const Limb extension = fill(negative());
     const int whole = count / limb_bits;
@@ -148,6 +156,17 @@ class Wide {
   }
 
  private:
+  // Two limbs are one integer that the compiler knows.
+  static constexpr bool is_pair = limbs == 2;
+  constexpr DoubleLimb pair() const { return static_cast<DoubleLimb>(limb_[1]) << limb_bits | limb_[0]; }
+  constexpr SignedDoubleLimb signed_pair() const { return static_cast<SignedDoubleLimb>(pair()); }
+  static constexpr Wide of_pair(DoubleLimb value) {
+    Wide r;
+    r.limb_[0] = static_cast<Limb>(value);
+    r.limb_[1] = static_cast<Limb>(value >> limb_bits);
+    return r;
+  }
+
   static constexpr Limb fill(bool negative) { return negative ? ~static_cast<Limb>(0) : 0; }
   constexpr int used() const {
     int n = limbs;

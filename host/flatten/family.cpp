@@ -207,11 +207,9 @@ std::optional<std::vector<Quantised>> round_all(std::span<const FamilyMember> me
   return all;
 }
 
-// The square of the least of the forms M_i for the value 1: of the coefficient that says most in the box, over its reach.
-Real least_square(const PageForms& page, const LocalBox& box) {
-  const auto size = [&](const Vector4& form) {
-    return larger(largest({form[0], form[1], form[2]}), magnitude(form[3]) / box.radius);
-  };
+// The square of the least of the forms M_i for the value 1, by its directions: parallel quadrics have the same.
+Real least_square(const PageForms& page) {
+  const auto size = [](const Vector4& form) { return largest({form[0], form[1], form[2]}); };
   if (page.squares.empty()) return magnitude(page.one.size) * size(*page.rest);
   std::optional<Real> least;
   for (const auto& [weight, form] : page.squares) {
@@ -244,15 +242,20 @@ std::optional<std::vector<Quantised>> take_exactly(std::span<const FamilyMember>
 }
 
 std::optional<std::vector<Quantised>> round_forms(std::span<const FamilyMember> members, const PageForms& page,
-                                                  const LocalBox& box) {
-  const Real least = least_square(page, box);
-  return with_least_bits(scale_limit,
-                         [&](int bits) { return round_all(members, page, power_of_two(2 * bits) / least, box); });
+                                                  const LocalBox& box, int least_bits) {
+  const Real least = least_square(page);
+  return with_least_bits(least_bits, scale_limit, [&](int bits) {
+    auto all = round_all(members, page, power_of_two(2 * bits) / least, box);
+    if (all) {
+      for (Quantised& one : *all) one.bits = bits;
+    }
+    return all;
+  });
 }
 
 // In the box's frame.
 std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMember> members, const Matrix4& inverse,
-                                                       const LocalBox& box) {
+                                                       const LocalBox& box, int least_bits) {
   const RealHalfSpace own = common_part(members.front());
   const RealHalfSpace here = transformed(own, inverse);
   if (!finite(inverse) || !finite(here)) return std::nullopt;
@@ -263,26 +266,28 @@ std::optional<std::vector<Quantised>> quantise_locally(std::span<const FamilyMem
   const bool affine = is_affine(inverse);
   const auto common = common_squares(affine ? here : own, members.front().kin, affine);
   if (!common) return std::nullopt;
-  return round_forms(members, page_forms(*common, here, affine ? identity_matrix : inverse, one), box);
+  return round_forms(members, page_forms(*common, here, affine ? identity_matrix : inverse, one), box, least_bits);
 }
 
 }  // namespace
 
-std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin, const LocalBox& box) {
+std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin, const LocalBox& box,
+                                          int least_bits) {
   const auto common = common_squares(here, kin, true);
   if (!common) return std::nullopt;
   const FamilyMember alone{here, kin};
-  auto rounded = round_forms({&alone, 1}, page_forms(*common, here, identity_matrix, {{0, 0, 0, 1}, 1}), box);
+  auto rounded =
+      round_forms({&alone, 1}, page_forms(*common, here, identity_matrix, {{0, 0, 0, 1}, 1}), box, least_bits);
   if (!rounded) return std::nullopt;
   return rounded->front();
 }
 
 std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members, const Matrix4& inverse,
-                                                      const Region& region) {
+                                                      const Region& region, int least_bits) {
   const LocalBox local = local_box(region);
   const auto here = inverse_from(local, inverse);
   if (!here) return std::nullopt;
-  auto all = quantise_locally(members, *here, local);
+  auto all = quantise_locally(members, *here, local, least_bits);
   if (!all) return std::nullopt;
   const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
   for (std::size_t i = 0; i < members.size(); ++i) {

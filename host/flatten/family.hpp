@@ -20,13 +20,14 @@ struct FamilyMember {
   Kinship kin;
 };
 
-// All in the dot frame, within one region. `inverse` is as in quantise.hpp, that of their common place.
+// All in the dot frame, within one region. `inverse` and `least_bits` are as in quantise.hpp, the place is theirs in common.
 [[nodiscard]] std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMember> members,
-                                                                    const Matrix4& inverse, const Region& region);
+                                                                    const Matrix4& inverse, const Region& region,
+                                                                    int least_bits = 0);
 
 // One quadric in the box's frame by the same rule, U = 1: what it is survives. `kin` tells its ranks.
 // An asymptote along z stays one in both: a z^2 left over by rounding would put a second sheet far away, perhaps in front.
 [[nodiscard]] std::optional<Quantised> quantise_squares(const RealHalfSpace& here, const Kinship& kin,
-                                                        const LocalBox& box);
+                                                        const LocalBox& box, int least_bits);
 
 }  // namespace halfspace

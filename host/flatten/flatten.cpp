@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -328,17 +329,17 @@ class Flattener {
     return std::array{*uses[0], *uses[1]};
   }
 
-  void quantise_clans() {
+  [[nodiscard]] std::vector<Clan> quadric_clans() const {
     std::vector<std::optional<std::size_t>> quadrics;
     for (const PageHalfSpace& h : half_spaces_) {
       const bool is_quadric = h.shape.kind == HalfSpaceKind::quadric;
       quadrics.push_back(is_quadric && h.use ? std::optional(h.use->surface) : std::nullopt);
     }
-    for (const Clan& clan : clans_of(placed_, quadrics, surfaces_.size())) quantise_clan(clan);
+    return clans_of(placed_, quadrics, surfaces_.size());
   }
 
-  // For the regions of all. Members that cannot be held together are left to themselves.
-  void quantise_clan(const Clan& clan) {
+  // For the regions of all. Members that cannot be held together are left to themselves: false.
+  bool quantise_clan(const Clan& clan, int least_bits) {
     Region region = surfaces_[clan.surfaces.front()].region;
     for (std::size_t k = 0; k < clan.surfaces.size(); ++k) {
       const Surface& own = surfaces_[clan.surfaces[k]];
@@ -346,26 +347,67 @@ class Flattener {
       if (own.place == clan.place) continue;
       const auto off = quadric_distance({clan.members[k].shape, placed_.places[clan.place]},
                                         {own.shape, placed_.places[own.place]}, own.region);
-      if (!off || *off > mating_limit) return;
+      if (!off || *off > mating_limit) return false;
     }
-    auto all = quantise_family(clan.members, placed_.places[clan.place], region);
-    if (!all) return;
+    auto all = quantise_family(clan.members, placed_.places[clan.place], region, least_bits);
+    if (!all) return false;
     for (std::size_t k = 0; k < clan.surfaces.size(); ++k) {
       Surface& surface = surfaces_[clan.surfaces[k]];
-      surface.is_moved = surface.place != clan.place || surface.shape.c != clan.members[k].shape.c;
+      surface.is_moved |= surface.place != clan.place || surface.shape.c != clan.members[k].shape.c;
       surface.shape = clan.members[k].shape;
       surface.place = clan.place;
       surface.quantised = std::move((*all)[k]);
     }
+    return true;
+  }
+
+  // Surfaces by themselves, after the clans.
+  void quantise_others() {
+    for (const HalfSpaceKind kind : {HalfSpaceKind::plane, HalfSpaceKind::quadric}) {  // of which pairs are products
+      for (Surface& surface : surfaces_) {
+        if (surface.shape.kind == kind && !surface.quantised) surface.quantised = quantise_surface(surface, 0);
+      }
+    }
+  }
+
+  // A place and a class of parallel quadrics there; none where the second-order part is not rounded as a sum of squares.
+  using ParallelKey = std::pair<std::size_t, std::size_t>;
+  [[nodiscard]] std::optional<ParallelKey> parallels_of(const Surface& surface) const {
+    const PlacedHalfSpace& first = placed_.half_spaces[surface.first];
+    if (!surface.quantised || surface.quantised->bits == 0 || first.place != surface.place) return std::nullopt;
+    return ParallelKey{surface.place, first.kin.parallel};
+  }
+
+  // Parallel quadrics stay parallel where their forms have one scale: that of the one which needs most.
+  void align_parallels(const std::vector<Clan>& clans) {
+    std::map<ParallelKey, int> most;
+    for (const Surface& surface : surfaces_) {
+      if (const auto key = parallels_of(surface)) most[*key] = std::max(most[*key], surface.quantised->bits);
+    }
+    const auto least_bits = [&](const Surface& surface) {
+      const auto key = parallels_of(surface);
+      return key ? most[*key] : 0;
+    };
+    std::vector<char> is_done(surfaces_.size(), 0);
+    for (const Clan& clan : clans) {
+      int bits = 0;
+      for (const std::size_t i : clan.surfaces) bits = std::max(bits, least_bits(surfaces_[i]));
+      if (bits > surfaces_[clan.surfaces.front()].quantised->bits) quantise_clan(clan, bits);
+      for (const std::size_t i : clan.surfaces) is_done[i] = 1;
+    }
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      Surface& surface = surfaces_[i];
+      const int bits = least_bits(surface);
+      if (is_done[i] != 0 || bits == 0 || surface.quantised->bits >= bits) continue;
+      if (auto finer = quantise_surface(surface, bits)) surface.quantised = std::move(finer);
+    }
   }
 
   bool quantise_all() {
-    quantise_clans();
-    for (const HalfSpaceKind kind : {HalfSpaceKind::plane, HalfSpaceKind::quadric}) {  // of which pairs are products
-      for (Surface& surface : surfaces_) {
-        if (surface.shape.kind == kind && !surface.quantised) surface.quantised = quantise_surface(surface);
-      }
-    }
+    std::vector<Clan> clans = quadric_clans();
+    std::erase_if(clans, [this](const Clan& clan) { return !quantise_clan(clan, 0); });
+    quantise_others();
+    if (!view_.perspective) align_parallels(clans);  // in perspective they are not parallel on the page
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       PageHalfSpace& h = half_spaces_[i];
       if (!h.region) continue;
@@ -383,11 +425,11 @@ class Flattener {
     return !is_hopeless();
   }
 
-  [[nodiscard]] std::optional<Quantised> quantise_surface(const Surface& surface) const {
+  [[nodiscard]] std::optional<Quantised> quantise_surface(const Surface& surface, int least_bits) const {
     if (surface.shape.kind == HalfSpaceKind::quadric && half_spaces_[surface.first].planes) {
       if (auto product = product_of_planes(surface)) return product;
     }
-    return quantise(surface.shape, placed_.places[surface.place], surface.region);
+    return quantise(surface.shape, placed_.places[surface.place], surface.region, least_bits);
   }
 
   [[nodiscard]] std::optional<Quantised> product_of_planes(const Surface& surface) const {

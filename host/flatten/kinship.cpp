@@ -39,7 +39,7 @@ Real ratio_of(const mpq_class& v) { return to_real(v.get_num()) / to_real(v.get_
 }  // namespace
 
 std::vector<Kinship> kinships_of(std::span<const QuadricStatement> quadrics) {
-  std::map<std::vector<mpq_class>, std::size_t> families;
+  std::map<std::vector<mpq_class>, std::size_t> families, parallels;
   std::vector<Kinship> result;
   for (const QuadricStatement& statement : quadrics) {
     Rationals c;
@@ -50,8 +50,13 @@ std::vector<Kinship> kinships_of(std::span<const QuadricStatement> quadrics) {
     if (first != c.end() - 1) {
       std::vector<mpq_class> common;
       for (std::size_t i = 0; i < 9; ++i) common.push_back(c[i] / *first);
-      kin = {families.emplace(common, families.size()).first->second, ratio_of(*first), ratio_of(c[9] / *first),
-             rank_of(c, 3), rank_of(c, 4)};
+      kin.family = families.emplace(common, families.size()).first->second;
+      kin.ratio = ratio_of(*first);
+      kin.constant = ratio_of(c[9] / *first);
+      kin.squares = rank_of(c, 3);
+      kin.rank = rank_of(c, 4);
+      common.resize(6);
+      if (kin.squares > 0) kin.parallel = parallels.emplace(common, parallels.size()).first->second;
     }
     result.push_back(kin);
   }

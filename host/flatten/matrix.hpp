@@ -32,11 +32,16 @@ inline Vector3 unit(const Vector3& v) {
 
 inline constexpr Matrix4 identity_matrix{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
+// Most entries of a placement are 0, and a product in software is not free.
+inline void add_product(Real& sum, Real a, Real b) {
+  if (!is_zero(a) && !is_zero(b)) sum += a * b;
+}
+
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) result[i][j] += a[i][k] * b[k][j];
+      for (std::size_t k = 0; k < 4; ++k) add_product(result[i][j], a[i][k], b[k][j]);
     }
   }
   return result;
@@ -74,20 +79,20 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
   RealHalfSpace result{h.kind, {}};
   if (h.kind == HalfSpaceKind::plane) {
     for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t k = 0; k < 4; ++k) result.c[i] += inverse[i][k] * h.c[k];
+      for (std::size_t k = 0; k < 4; ++k) add_product(result.c[i], inverse[i][k], h.c[k]);
     }
     return result;
   }
   Matrix4 half{};  // T^-1 Q
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) half[i][j] += inverse[i][k] * h.c[quadric_index[k][j]];
+      for (std::size_t k = 0; k < 4; ++k) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i; j < 4; ++j) {
       Real entry = 0;
-      for (std::size_t k = 0; k < 4; ++k) entry += half[i][k] * inverse[j][k];
+      for (std::size_t k = 0; k < 4; ++k) add_product(entry, half[i][k], inverse[j][k]);
       result.c[quadric_index[i][j]] = entry;
     }
   }

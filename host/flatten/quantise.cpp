@@ -43,7 +43,7 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
 // The least power of two that `attempt` makes something of.
 template <class Attempt>
 std::optional<Quantised> least_scale(Attempt attempt) {
-  return with_least_bits(scale_limit, [&](int bits) { return attempt(power_of_two(bits)); });
+  return with_least_bits(0, scale_limit, [&](int bits) { return attempt(power_of_two(bits)); });
 }
 
 std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
@@ -152,7 +152,7 @@ std::optional<Quantised> quantise_plane_like(const ReducedQuadric& reduced, cons
   return result;
 }
 
-std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox& box) {
+std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox& box, int least_bits) {
   const ReducedQuadric reduced = reduce(h, box.radius);
   if (reduced.count == 0) return quantise_plane_like(reduced, box);
   if (is_sphere(reduced)) return quantise_sphere(reduced, box);
@@ -160,7 +160,7 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   Kinship alone;
   alone.squares = reduced.count;
   alone.rank = reduced.count + (reduced.linear ? 2 : reduced.constant() != 0 ? 1 : 0);
-  return quantise_squares(h, alone, box);
+  return quantise_squares(h, alone, box, least_bits);
 }
 
 bool is_zero(const RealHalfSpace& h) {
@@ -172,7 +172,8 @@ bool is_zero(const RealHalfSpace& h) {
 
 }  // namespace
 
-std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Region& region) {
+std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Region& region,
+                                  int least_bits) {
   const LocalBox local = local_box(region);
   const auto here = inverse_from(local, inverse);
   if (!here) return std::nullopt;
@@ -180,7 +181,8 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   if (!finite(h)) return std::nullopt;
   if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
   auto result = take_exactly(h, local);
-  if (!result) result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local);
+  if (!result)
+    result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local, least_bits);
   if (!result) return std::nullopt;
   const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
   result->form = primitive(seen_from(result->form, back));

@@ -17,12 +17,13 @@ inline constexpr int small_quadric_bits = 32;
 struct Quantised {
   IntegerForm form;  // in the dot frame of the page
   Real bound = 0;
+  int bits = 0;  // of its forms' scale, where it is rounded as a sum of squares
 };
 
 // `inverse` takes the dot frame to the half-space's own; `region` is finite. None where no scale below 2^400 meets the
-// target, or where the region lies too far away for its size (local_box.hpp).
+// target, or where the region lies too far away for its size (local_box.hpp). A sum of squares gets `least_bits` at least.
 [[nodiscard]] std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse,
-                                                const Region& region);
+                                                const Region& region, int least_bits = 0);
 
 // A half-space of a group, and the inverse that takes the dot frame to the group's.
 struct PlacedShape {

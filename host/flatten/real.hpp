@@ -6,6 +6,9 @@
 
 #include <gmpxx.h>
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -18,7 +21,15 @@ using Real = long double;
 static_assert(std::numeric_limits<long double>::digits == 113, "the host has no IEEE binary128");
 #endif
 
-inline Real magnitude(Real v) { return v < 0 ? -v : v; }
+// IEEE binary128 as two words: comparisons with 0 need no software.
+using RealWords = std::array<std::uint64_t, 2>;
+static_assert(std::endian::native == std::endian::little && sizeof(Real) == sizeof(RealWords));
+inline bool has_sign(Real v) { return std::bit_cast<RealWords>(v)[1] >> 63 != 0; }
+inline bool is_zero(Real v) {
+  const auto words = std::bit_cast<RealWords>(v);
+  return (words[1] << 1 | words[0]) == 0;
+}
+inline Real magnitude(Real v) { return has_sign(v) ? -v : v; }
 inline Real larger(Real a, Real b) { return a < b ? b : a; }
 inline Real smaller(Real a, Real b) { return b < a ? b : a; }
 inline bool finite(Real v) { return v - v == 0; }

@@ -33,7 +33,7 @@ TEST(SampleDepth, TheTrueDepthLiesWithinItsError) {
     const auto x = static_cast<std::int32_t>(between(dice, 0, side - 1));
     const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
     const auto exact = testing::depth_at(face, x, y);
-    const DepthSample sample = sample_depth(face.active, x, y);
+    const DepthSample sample = DepthLine(face.active, y, std::max(0, x - 20), x + 20).at(x);
     if (!exact || sample.error < 0) continue;
     ++samples;
     const mpz_class scale = mpz_class(1) << depth_fraction;
@@ -53,7 +53,7 @@ TEST(SampleDepth, OrdinarySolidsAreKnownToAThousandthOfADot) {
   for (int trial = 0; trial < 2000; ++trial) {
     const TestFace face = solid_face(dice, 40, 40, 30, lighting);
     if (face.active.kind != FaceKind::root || !testing::depth_at(face, 41, 39)) continue;
-    const DepthSample sample = sample_depth(face.active, 41, 39);
+    const DepthSample sample = DepthLine(face.active, 39, 41, 41).at(41);
     ASSERT_GE(sample.error, 0);
     ASSERT_LT(sample.error, 64) << "z " << sample.z;
   }

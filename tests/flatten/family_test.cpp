@@ -61,6 +61,28 @@ TEST(Families, DifferByAConstantOfTheWorld) {
 // Where a cylinder ends in a point the surface has no normal, and its shells have the same point.
 TEST(Families, StayApartUpToTheirVanishingPoint) { expect_shells_apart("", "", perspective_view, true); }
 
+// A tube's walls and bores beside its axis: second-order parts stay proportional, however far the bores are, and
+// though one is as long as the pin in it.
+TEST(Parallels, StayParallel) {
+  const std::string plate =
+      "quadric a <1 1 0 0 0 0 0 0 0 -4>; quadric b <2 2 0 0 0 0 0 0 0 -6.7>; quadric c <1 1 0 0 0 0 -.9 .31 0 .9>;"
+      "quadric d <1 1 0 0 0 0 5.1 -7.3 0 79>; plane f <0 0 1 -1>; plane k <0 0 -1 -1>;"
+      "plane g <0 0 1 -90>; plane h <0 0 -1 -90>; body t (a b !c !d f k); body pin (c g h);";
+  for (int turn = 0; turn < 40; ++turn) {
+    const IntegerScene scene = flat("definition p; " + plate + " enddef; instance i (p =rx " +
+                                        std::to_string(7 * turn) + ".3 =ry 17 =tx .1);" + parallel_view,
+                                    page(500, 500));
+    const auto& half_spaces = scene.bodies.at(0).half_spaces;
+    const auto& first = half_spaces.at(0).c;
+    for (std::size_t i = 1; i < 4; ++i) {
+      for (std::size_t k = 1; k < 6; ++k) {
+        EXPECT_EQ(first[k] * half_spaces.at(i).c[0], first[0] * half_spaces.at(i).c[k]) << "turn " << turn << ' ' << i;
+      }
+    }
+    EXPECT_LT(scene.bound, 0x1p-12);
+  }
+}
+
 TEST(Families, AreSpheresWhereTheyWere) {
   const IntegerScene scene = flat(
       "definition d; quadric a <1 1 1 0 0 0 .1 .2 .3 -1>; quadric b <3 3 3 0 0 0 .3 .6 .9 -2.9999999>;"
