@@ -27,7 +27,7 @@ Arguments with_stride(const char* stride) { return draw({"--shader", "stride", "
 
 std::vector<BadCommand> bad_commands() {
   return {
-      {"Nothing", {}, 2, {"no command", "render, compile, run or info"}},
+      {"Nothing", {}, 2, {"no command", "render, compile, run, info or report"}},
       {"UnknownSubcommand", {"draw", tube}, 2, {"draw"}},
       {"UnknownOption", draw({"-o", "out.png", "--colour"}), 2, {"--colour"}},
       {"NoScene", {"render", "-o", "out.png"}, 2, {"scene"}},

@@ -1,0 +1,35 @@
+// measure.hpp - rows of our own: a subject drawn by every listed shader, timed, and compared with the exact oracle.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/report/row.hpp"
+
+namespace halfspace {
+
+struct MeasureOptions {
+  int runs = 5;                       // the median counts
+  bool from_text = false;             // time reading, flattening, resolving and the job too
+  std::uint64_t most_dots = 4 << 20;  // that the oracle is asked: of a larger page only lines at equal distances
+};
+
+// The exact level of every dot of some lines.
+struct Truth {
+  std::vector<std::int32_t> lines;
+  std::vector<std::int16_t> levels;
+};
+[[nodiscard]] Truth true_levels(const IntegerScene& scene, std::uint64_t most_dots);
+
+// The same lines of a whole picture.
+[[nodiscard]] std::vector<std::int16_t> pick_lines(const std::vector<std::int16_t>& levels, const Truth& truth,
+                                                   std::int32_t width);
+
+// One row a shader, without instructions.
+[[nodiscard]] Rows measure(const Subject& subject, const Truth& truth, const MeasureOptions& options);
+
+// Adds instructions: `rows` are those of the subjects, one after the other. Returns why there are none.
+std::string add_instructions(std::span<const Subject> subjects, std::span<Row> rows);
+
+}  // namespace halfspace
