@@ -49,7 +49,7 @@ Environment read_environment() {
           .commit = commit(),
           .date = date(),
           .povray = version({"povray", "--version"}, "POV-Ray ([0-9.]+[0-9])"),
-          .raster3d = version({"render"}, "Raster3D +V([0-9.]+)"),
+          .raster3d = version({"render", "-version"}, "Raster3D +V?([0-9.-]+)"),
           .valgrind = version({"valgrind", "--version"}, "valgrind-([0-9.]+)"),
           .qemu = version({"qemu-system-arm", "--version"}, "version ([0-9.]+)")};
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host/report/board.hpp"
 #include "host/report/environment.hpp"
 #include "host/report/row.hpp"
 
@@ -11,7 +12,8 @@ namespace halfspace {
 
 struct Findings {
   Environment environment;
-  Rows rows;                      // ours in the order of measuring, then those of other programs
+  Rows rows;  // ours in the order of measuring, then those of other programs
+  std::vector<BoardRow> board;
   double floor_ns = 0;            // a dot of the page: page_floor.hpp
   std::vector<std::string> gaps;  // what is missing, why, and what to do
 };

@@ -73,6 +73,7 @@ void draw_probes(const std::string& list) {
   std::istringstream lines(read_file(list));
   std::vector<std::uint64_t> memory;
   std::size_t shader = 0;
+  CALLGRIND_START_INSTRUMENTATION;  // not before: loading the program's libraries would take most of the time
   for (std::string path; lines >> shader >> path;) {
     draw_job(read_job(path), listed_shaders.at(shader), memory);
     CALLGRIND_DUMP_STATS;

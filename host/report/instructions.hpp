@@ -1,7 +1,7 @@
 // instructions.hpp - instructions that the core executes for a job, counted by callgrind.
 // Counted Everything inside halfspace::draw, from the job's header to the last scan line; not what becomes of its bands.
 // Method  One valgrind runs this very program again (`halfspace report --probe LIST`), which draws each job of the list between
-//         marks (callgrind_scope.hpp) and dumps the count after each.
+//         marks (callgrind_toggle.hpp) and dumps the count after each.
 #pragma once
 
 #include <cstdint>

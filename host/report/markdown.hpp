@@ -15,12 +15,15 @@ using Cells = std::vector<std::string>;
 
 [[nodiscard]] inline std::string table_line(const Cells& cells) {
   std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
-  return line + "\n";
+  for (const std::string& cell : cells) line += fmt::format(" {} |", cell);
+  line += '\n';
+  return line;
 }
 
 [[nodiscard]] inline std::string table_head(const Cells& titles) {
-  return table_line(titles) + table_line(Cells(titles.size(), "---"));
+  std::string rule = "|";
+  for (std::size_t i = 0; i < titles.size(); ++i) rule += " --- |";
+  return table_line(titles) + rule + "\n";
 }
 
 // Three significant digits; what was not measured is a dash.

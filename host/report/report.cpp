@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "host/report/board_summary.hpp"
 #include "host/report/environment.hpp"
 #include "host/report/files.hpp"
 #include "host/report/findings.hpp"
@@ -38,6 +39,7 @@ class Reporter {
     beside_raster3d("30 balls and rods", balls_and_sticks(), plan_.balls_page);
     beside_raster3d(fmt::format("{} atoms", plan_.atoms), space_filling(plan_.atoms), plan_.atoms_page);
     found_.floor_ns = page_floor_ns(plan_.povray_page, plan_.runs);
+    if (plan_.board) beside_baselines();
     tell("counting instructions");
     gap(add_instructions(subjects_, ours_));
     found_.rows = ours_;
@@ -128,6 +130,13 @@ class Reporter {
     add_other(picture, truth, why);
   }
 
+  void beside_baselines() {
+    tell("faces on a Cortex-M3");
+    BoardFindings board = measure_board(plan_);
+    for (const std::string& why : board.gaps) gap(why);
+    found_.board = std::move(board.rows);
+  }
+
   const Plan& plan_;
   std::vector<Subject> subjects_;
   Rows ours_, others_;
@@ -152,6 +161,7 @@ void write_report(const Plan& plan, const std::string& folder) {
   make_folder(folder);  // before the long work
   Findings found = Reporter(plan).run();
   write_file(folder + "/results.csv", as_csv(found.rows));
+  if (!found.board.empty()) write_file(folder + "/cortex-m3.csv", as_csv(found.board));
   if (const std::string why = write_plots(found.rows, folder); !why.empty()) {
     found.gaps.push_back(why);
     fmt::print(stderr, "warning: {}\n", why);

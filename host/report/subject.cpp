@@ -4,7 +4,7 @@
 
 #include "firmware/core/memory_source.hpp"
 #include "host/flatten/flatten.hpp"
-#include "host/report/callgrind_scope.hpp"
+#include "host/report/callgrind_toggle.hpp"
 #include "host/resolve/resolve.hpp"
 #include "host/scene/parse.hpp"
 
@@ -16,7 +16,7 @@ constexpr std::int32_t band_rows = 32;
 class Nowhere final : public BandSink {
  public:
   bool put_band(const Band& band) override {
-    const CallgrindPause pause;                              // what a device makes of a band is not the core's cost
+    const CallgrindToggle pause;                             // what a device makes of a band is not the core's cost
     asm volatile("" : : "r"(band.bytes.data()) : "memory");  // the bytes are wanted
     return true;
   }
@@ -36,7 +36,7 @@ DrawResult draw_into(BandSink& sink, const JobResult& job, const ListedShader& s
   memory.resize(memory_needed(job.header, band_rows) / 8 + 1);
   MemorySource source(job.bytes);
   const DrawOptions options{.shader = shader.shader, .stride = shader.stride, .band_rows = band_rows, .measure = false};
-  const CallgrindScope counted;
+  const CallgrindToggle counted;
   return draw(source, sink, std::as_writable_bytes(std::span(memory)), options, all_modules);
 }
 
@@ -103,6 +103,15 @@ std::uint64_t draw_from_text(const SceneText& source, const PageSize& size, cons
 std::uint64_t draw_job(const JobResult& job, const ListedShader& shader, std::vector<std::uint64_t>& memory) {
   Nowhere sink;
   return draw_into(sink, job, shader, memory).counters.dots;
+}
+
+std::uint32_t page_hash(const JobResult& job, const ListedShader& shader) {
+  std::vector<std::uint64_t> memory;
+  Collector collector;
+  (void)draw_into(collector, job, shader, memory);
+  std::uint32_t hash = 2166136261U;
+  for (const std::uint8_t byte : collector.dots) hash = (hash ^ byte) * 16777619U;
+  return hash;
 }
 
 // On black and on white: a dot that differs shows no face.

@@ -38,6 +38,9 @@ std::uint64_t draw_from_text(const SceneText& source, const PageSize& size, cons
 // The core alone, bands to nowhere. Memory is lent by the caller, who need not pay for it twice.
 std::uint64_t draw_job(const JobResult& job, const ListedShader& shader, std::vector<std::uint64_t>& memory);
 
+// FNV-1a, 32 bits, of the page's bytes: what the board prints.
+[[nodiscard]] std::uint32_t page_hash(const JobResult& job, const ListedShader& shader);
+
 // The level of every dot, row by row; -1 is background.
 [[nodiscard]] std::vector<std::int16_t> drawn_levels(const IntegerScene& scene, const ListedShader& shader);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "host/report/board_summary.hpp"
 #include "host/report/markdown.hpp"
+#include "host/report/shader_list.hpp"
 
 namespace halfspace {
 namespace {
@@ -51,11 +53,16 @@ std::vector<const Row*> rows_of(const Rows& rows, const std::string& suite, cons
   return found;
 }
 
+bool is_exact(const std::string& name) {
+  return std::any_of(listed_shaders.begin(), listed_shaders.end(),
+                     [&](const ListedShader& listed) { return listed.exact && listed.name == name; });
+}
+
 // The fastest of those without a wrong dot.
 const Row* fastest_exact(const std::vector<const Row*>& rows) {
   const Row* best = nullptr;
   for (const Row* row : rows) {
-    if (row->shader.empty() || row->error->wrong != 0) continue;
+    if (!is_exact(row->shader) || row->error->wrong != 0) continue;
     if (best == nullptr || *row->ns < *best->ns) best = row;
   }
   return best;
@@ -204,7 +211,8 @@ std::string summary(const Findings& found) {
   return "# Speed against error\n\n" + origin(found) + gaps(found) + answers(found.rows) +
          "\n![Speed against error](error.svg)\n" + whole_scenes(found) +
          suite(found.rows, "gallery", "The gallery (`scenes/`)") +
-         suite(found.rows, "hard", "The hard cases (`tests/hard/scenes/`)") + resolution(found.rows);
+         suite(found.rows, "hard", "The hard cases (`tests/hard/scenes/`)") + resolution(found.rows) +
+         board_summary(found.board);
 }
 
 }  // namespace halfspace
