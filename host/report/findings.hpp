@@ -6,6 +6,7 @@
 
 #include "host/report/board.hpp"
 #include "host/report/environment.hpp"
+#include "host/report/resolver_cost.hpp"
 #include "host/report/row.hpp"
 
 namespace halfspace {
@@ -14,6 +15,7 @@ struct Findings {
   Environment environment;
   Rows rows;  // ours in the order of measuring, then those of other programs
   std::vector<BoardRow> board;
+  std::vector<ResolverRow> resolver;
   double floor_ns = 0;            // a dot of the page: page_floor.hpp
   std::vector<std::string> gaps;  // what is missing, why, and what to do
 };

@@ -21,6 +21,7 @@ struct Plan {
   int side_inches = 4;  // of the square page that dots_per_inch is for
   PageSize povray_page{2112, 1700, 65}, balls_page{2000, 2000, 65}, atoms_page{1200, 1200, 65};
   int atoms = 4000;
+  std::vector<int> resolver_atoms{1000, 3000, 10000};
   int runs = 5;
   bool board = true;
   std::int32_t board_radius = 500;
@@ -37,6 +38,7 @@ struct Plan {
   plan.povray_page = {64, 51, 65};
   plan.balls_page = plan.atoms_page = {48, 48, 65};
   plan.atoms = 20;
+  plan.resolver_atoms = {10};
   plan.runs = 3;
   plan.board = false;
   return plan;

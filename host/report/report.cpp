@@ -39,6 +39,7 @@ class Reporter {
     beside_raster3d("30 balls and rods", balls_and_sticks(), plan_.balls_page);
     beside_raster3d(fmt::format("{} atoms", plan_.atoms), space_filling(plan_.atoms), plan_.atoms_page);
     found_.floor_ns = page_floor_ns(plan_.povray_page, plan_.runs);
+    resolver();
     if (plan_.board) beside_baselines();
     tell("counting instructions");
     gap(add_instructions(subjects_, ours_));
@@ -128,6 +129,20 @@ class Reporter {
     tell(name + " by Raster3D");
     const auto picture = draw_by_raster3d(molecule, asked(size), why);
     add_other(picture, truth, why);
+  }
+
+  void resolver() {
+    tell("the resolver");
+    const auto add_row = [this](const std::string& name, const std::string& text) {
+      found_.resolver.push_back(measure_resolver({"resolver", name, text}, plan_.povray_page, plan_.runs));
+    };
+    for (const char* name : {"clover_knot", "gear"}) add_row(name, read_file(scene_path(name).string()));
+    for (const char* name : {"steinmetz_2", "eight_quadrics"}) {
+      add_row(name, read_file((tree / "tests/hard/scenes" / (std::string(name) + ".uq")).string()));
+    }
+    for (const int atoms : plan_.resolver_atoms) {
+      add_row(fmt::format("{} atoms", atoms), as_uniquadrix(space_filling(atoms)));
+    }
   }
 
   void beside_baselines() {
