@@ -64,7 +64,7 @@ class Board {
     const std::int32_t side = 2 * (radius + 3);
     const Subject subject = make_subject({"board", face.name, board_text(face, view, radius)}, {side, side, levels});
     if (!subject.refusal.empty()) return gap(std::string(face.name) + " is left out: " + subject.refusal);
-    const Truth truth = true_levels(subject.scene, std::uint64_t{1} << 32);
+    const Truth truth = true_levels(subject.scene, std::uint64_t{1} << 32, false);
     for (const BoardShader& shader : board_shaders()) {
       if (shader.name == "A4" && std::string(face.name) != "sphere") continue;
       const auto row = drawn(subject, truth, shader);

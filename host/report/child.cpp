@@ -25,9 +25,8 @@ double seconds(const timeval& time) {
   const int out = output.empty() ? collected : ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(collected, STDERR_FILENO);
-  std::vector<char*> pointers;
-  for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-  pointers.push_back(nullptr);
+  std::vector<char*> pointers(words.size() + 1);  // the last one is null
+  for (std::size_t i = 0; i < words.size(); ++i) pointers[i] = const_cast<char*>(words[i].c_str());
   ::execvp(pointers[0], pointers.data());
   ::_exit(127);
 }

@@ -1,8 +1,9 @@
 #include "host/report/files.hpp"
 
-#include <stdlib.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>

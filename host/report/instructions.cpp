@@ -23,7 +23,7 @@ std::string write_jobs(const std::vector<CountedJob>& jobs, const ReportScratch&
     write_file(path, {bytes.begin(), bytes.end()});
     list << jobs[i].shader - listed_shaders.data() << ' ' << path << '\n';
   }
-  const std::string path = scratch / "list";
+  std::string path = scratch / "list";
   write_file(path, list.str());
   return path;
 }

@@ -30,7 +30,7 @@ std::optional<double> seconds_of(const Words& words, const std::string& input, i
   for (int i = 0; i < runs; ++i) {
     const ChildResult child = run_child(words, input);
     if (!child.ok()) {
-      why = words[0] + " failed, and its rows are left out: " + child.output.substr(0, 300);
+      why = fmt::format("{} failed, and its rows are left out: {}", words[0], child.output.substr(0, 300));
       return std::nullopt;
     }
     times.push_back(child.seconds);

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <vector>
 
 #include "host/report/child.hpp"
 #include "host/report/files.hpp"
@@ -12,71 +14,77 @@ namespace halfspace {
 namespace {
 
 constexpr const char* style =
-    "set terminal svg size 900,400 font 'sans-serif,12' background '#ffffff'\n"
+    "set terminal svg size 900,700 font 'sans-serif,12' background '#ffffff' noenhanced\n"
     "set grid lc rgb '#dddddd'\nset key off\n";
 
 // A gnuplot data block.
 std::string block(const std::string& name, const std::string& lines) {
-  return "$" + name + " << END\n" + lines + "END\n";
-}
-
-std::string label(const Row& row) { return row.shader.empty() ? row.renderer : row.shader; }
-
-double share_wrong(const Row& row) {
-  return 100.0 * static_cast<double>(row.error->wrong) / static_cast<double>(row.shaded);
+  return fmt::format("${} << END\n{}END\n", name, lines);
 }
 
 using Cost = std::function<std::optional<double>(const Row&)>;
 
-// "x wrong mean label" of the rows of one whole scene.
-std::string error_points(const Rows& rows, const std::string& scene, const Cost& cost) {
-  std::string lines;
+// One block a point, "cost wrong mean", and what a panel needs to show column `column` of them, a colour a program.
+std::string error_blocks(const Rows& rows, const std::string& scene, const Cost& cost, std::string (&panels)[2]) {
+  std::string blocks;
+  int count = 0;
   for (const Row& row : rows) {
     const auto x = cost(row);
-    if (row.suite != "whole" || row.scene != scene || !row.error || !x) continue;
-    lines += fmt::format("{} {} {} \"{}\"\n", *x, share_wrong(row), row.error->level_mean, label(row));
+    if (row.suite != "whole" || row.scene != scene || !row.error || !x || *x <= 0) continue;
+    const double wrong = 100.0 * static_cast<double>(row.error->wrong) / static_cast<double>(row.shaded);
+    const std::string data = fmt::format("{}{}", scene, count++);
+    blocks += block(data, fmt::format("{} {} {}\n", *x, wrong, row.error->level_mean));
+    for (int i = 0; i < 2; ++i) {
+      panels[i] += fmt::format("{} ${} using 1:{} with points pt {} ps 1.2 lw 2 title '{}'", count == 1 ? "plot" : ",",
+                               data, i + 2, count, row.shader.empty() ? row.renderer : row.shader);
+    }
   }
-  return lines;
+  return blocks;
 }
 
-std::string panel(const std::string& title, int column) {
-  const auto part = [column](const char* data, const char* mark) {
-    return fmt::format(
-        "${0} using 1:{1} with points pt {2} ps 0.8 title '{0}', ${0} using 1:{1}:4 with labels left "
-        "offset 0.6,0.5 font ',9' notitle",
-        data, column, mark);
-  };
-  return fmt::format("set title '{}'\nplot {}, {}\n", title, part("knot", "7"), part("gear", "5"));
-}
-
+// Two panels for each of two scenes. Room is left for the key on the right.
 std::string error_plot(const Rows& rows, const std::string& cost_name, const Cost& cost) {
-  const std::string knot = error_points(rows, "clover_knot", cost), gear = error_points(rows, "gear", cost);
-  if (knot.empty() || gear.empty()) return "";
-  return block("knot", knot) + block("gear", gear) + "set logscale x\nset xlabel '" + cost_name +
-         " a shaded dot'\nset yrange [0:*]\nset offsets graph 0.02, graph 0.25, graph 0.1, 0\nset multiplot layout "
-         "1,2\n"
-         "set key top right\n" +
-         panel("dots of a wrong level, %", 2) + "set key off\n" + panel("error of the level, mean, levels of 65", 3) +
-         "unset multiplot\n";
+  std::string blocks, plots;
+  for (const std::string scene : {"clover_knot", "gear"}) {
+    std::string panels[2];
+    const std::string points = error_blocks(rows, scene, cost, panels);
+    if (points.empty()) return "";
+    blocks += points;
+    plots += fmt::format(
+        "set title '{0}: dots of a wrong level, %'\n{1}\nset title '{0}: mean error of the level, of 65'\n{2}\n", scene,
+        panels[0], panels[1]);
+  }
+  return blocks + "set logscale x\nset xlabel '" + cost_name +
+         " a shaded dot'\nset yrange [0:*]\nset key top right\nset offsets graph 0.05, graph 0.15, graph 0.05, 0\n"
+         "set multiplot layout 2,2\n" +
+         plots + "unset multiplot\n";
 }
 
+// A panel a scene, a curve a shader in the order of the rows.
 std::string resolution_plot(const Rows& rows) {
-  std::map<std::string, std::string> curves;
+  std::map<std::string, std::map<std::string, std::string>> curves;
+  std::vector<std::string> shaders;
   for (const Row& row : rows) {
     if (row.suite != "resolution" || !row.instructions) continue;
-    curves[row.scene + ", " + row.shader] += fmt::format("{} {}\n", row.size.width, *row.instructions);
+    if (std::find(shaders.begin(), shaders.end(), row.shader) == shaders.end()) shaders.push_back(row.shader);
+    curves[row.scene][row.shader] += fmt::format("{} {}\n", row.size.width, *row.instructions);
   }
   if (curves.empty()) return "";
-  std::string blocks, plot;
-  for (const auto& [name, lines] : curves) {
-    const std::string data = fmt::format("curve{}", std::count(plot.begin(), plot.end(), '\n'));
-    blocks += block(data, lines);
-    plot += fmt::format("{}${} using 1:2 with linespoints pt 7 ps 0.5 title '{}'", plot.empty() ? "plot " : ", \\\n",
-                        data, name);
+  std::string blocks, panels;
+  for (const auto& [scene, of_scene] : curves) {
+    std::string plot;
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+      const std::string data = fmt::format("{}{}", scene, i);
+      blocks += block(data, of_scene.at(shaders[i]));
+      plot += fmt::format("{} ${} using 1:2 with linespoints pt 7 ps 0.5 title '{}'", i == 0 ? "plot" : ",", data,
+                          shaders[i]);
+    }
+    panels += fmt::format("set title '{}'\n{}\n", scene, plot);
   }
   return blocks +
-         "set logscale xy\nset xlabel 'dots a side'\nset ylabel 'instructions of the core'\nset key outside right\n" +
-         plot + "\n";
+         "set logscale xy\nset format y '10^%L'\nset xlabel 'dots a side'\nset ylabel 'instructions of the core'\n"
+         "set key top left\nset multiplot layout 1,2\n" +
+         panels + "unset multiplot\n";
 }
 
 std::string draw(const std::string& script, const std::string& path) {

@@ -212,7 +212,7 @@ std::string summary(const Findings& found) {
          "\n![Speed against error](error.svg)\n" + whole_scenes(found) +
          suite(found.rows, "gallery", "The gallery (`scenes/`)") +
          suite(found.rows, "hard", "The hard cases (`tests/hard/scenes/`)") + resolution(found.rows) +
-         board_summary(found.board);
+         board_summary(found.board) + resolver_summary(found.resolver);
 }
 
 }  // namespace halfspace
