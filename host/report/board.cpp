@@ -124,7 +124,7 @@ BoardFindings measure_board(const Plan& plan) {
   for (const BoardFace& face : board_faces) {
     for (const BoardView& view : board_views) board.measure(face, view, plan.board_radius, 65);
   }
-  for (const std::size_t i : {0, 3}) {  // a sphere, an ellipsoid
+  for (const std::size_t i : {0, 1, 3}) {  // a sphere, a cylinder, an ellipsoid
     for (const BoardSize& size : plan.board_sizes) {
       board.measure(board_faces.at(i), board_views[0], size.radius, size.levels);
     }

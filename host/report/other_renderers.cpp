@@ -42,7 +42,7 @@ std::optional<double> seconds_of(const Words& words, const std::string& input, i
 bool are_there(const Words& programs, const std::string& packages, std::string& why) {
   for (const std::string& program : programs) {
     if (has_program(program)) continue;
-    why = program + " is missing, and its rows are left out: apt-get install " + packages;
+    why = fmt::format("{} is missing, and its rows are left out: apt-get install {}", program, packages);
     return false;
   }
   return true;

@@ -25,8 +25,8 @@ struct Plan {
   int runs = 5;
   bool board = true;
   std::int32_t board_radius = 500;
-  std::vector<BoardSize> board_sizes{{5, 65},   {25, 65},   {100, 65},  {1000, 65},
-                                     {100, 17}, {1000, 17}, {100, 256}, {500, 256}};
+  std::vector<BoardSize> board_sizes{{5, 2},    {5, 65},    {5, 256}, {25, 17},   {25, 65},   {100, 2},   {100, 17},
+                                     {100, 65}, {100, 256}, {500, 2}, {500, 256}, {1000, 17}, {1000, 65}, {1000, 256}};
 };
 
 [[nodiscard]] inline Plan quick_plan() {

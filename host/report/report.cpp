@@ -160,6 +160,12 @@ class Reporter {
   Findings found_;
 };
 
+void check_sources() {
+  if (fs::is_directory(tree / "scenes")) return;
+  throw std::runtime_error(
+      tree.string() + ": the sources of this program, which the report draws, are not there; build it where they are");
+}
+
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -175,6 +181,7 @@ void make_folder(const std::string& folder) {
 }  // namespace
 
 void write_report(const Plan& plan, const std::string& folder) {
+  check_sources();
   make_folder(folder);  // before the long work
   Findings found = Reporter(plan).run();
   write_file(folder + "/results.csv", as_csv(found.rows));

@@ -21,7 +21,7 @@ inline constexpr std::array listed_shaders{
     ListedShader{"stride 16", Shader::stride, 16, false}, ListedShader{"stride 32", Shader::stride, 32, false},
 };
 
-// The shader of single figures: growth with resolution, whole scenes. The fastest one that is exact.
+// Of pages without bodies, where all do the same, and of the baselines' pictures: any exact one.
 inline constexpr const ListedShader& main_shader = listed_shaders[0];
 
 }  // namespace halfspace

@@ -39,7 +39,7 @@ std::string origin(const Findings& found) {
 
 std::string gaps(const Findings& found) {
   std::string text;
-  for (const std::string& gap : found.gaps) text += "\n**Left out.** " + gap + "\n";
+  for (const std::string& gap : found.gaps) text += fmt::format("\n**Left out.** {}\n", gap);
   return text;
 }
 
