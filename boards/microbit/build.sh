@@ -18,7 +18,8 @@ flags="-std=c++20 -Os $machine -ffreestanding -fno-exceptions -fno-rtti -fno-thr
 
 mkdir -p "$out/objects"
 objects=
-for source in "$root"/firmware/core/*.cpp "$root"/firmware/app/*.cpp "$root"/boards/microbit/*.cpp; do
+for source in "$root"/firmware/core/*.cpp "$root"/firmware/app/*.cpp "$root"/boards/cortex_m/*.cpp \
+  "$root"/boards/microbit/*.cpp; do
   object=$out/objects/$(basename "$(dirname "$source")")-$(basename "$source" .cpp).o
   $cxx $flags -c "$source" -o "$object"
   objects="$objects $object"

@@ -57,4 +57,12 @@ struct InfoRequest {
 
 [[nodiscard]] ExitStatus run_info(const InfoRequest& request);
 
+struct ReportRequest {
+  std::string folder = "docs/report";
+  std::string probe;  // a list of jobs to draw while callgrind counts (host/report/instructions.hpp); empty: none
+  bool quick = false;
+};
+
+[[nodiscard]] ExitStatus run_report(const ReportRequest& request);
+
 }  // namespace halfspace

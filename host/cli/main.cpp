@@ -62,10 +62,11 @@ struct Requests {
   CompileRequest compile;
   RunRequest run;
   InfoRequest info;
+  ReportRequest report;
 };
 
 struct Commands {
-  CLI::App *render, *compile, *run, *info;
+  CLI::App *render, *compile, *run, *info, *report;
 };
 
 Commands add_commands(CLI::App& app, Requests& requests) {
@@ -90,7 +91,12 @@ Commands add_commands(CLI::App& app, Requests& requests) {
   add_scene_options(*info, requests.info.scene);
   info->get_option("scene")->description("Scene files, as for render; or one job (.hsj), which has its own page");
   add_page_options(*info, requests.info.page);
-  return {render, compile, run, info};
+
+  CLI::App* report = app.add_subcommand("report", "Measure speed against error, and write tables and plots");
+  report->add_option("-o,--output", requests.report.folder, "The folder to write into")->capture_default_str();
+  report->add_flag("--quick", requests.report.quick, "Few and small scenes, in seconds: to see that all of it works");
+  report->add_option("--probe", requests.report.probe)->group("");  // the report itself says it
+  return {render, compile, run, info, report};
 }
 
 int run(int argc, char** argv) {
@@ -116,8 +122,9 @@ int run(int argc, char** argv) {
   if (*commands.compile) return static_cast<int>(run_compile(requests.compile));
   if (*commands.run) return static_cast<int>(run_job(requests.run));
   if (*commands.info) return static_cast<int>(run_info(requests.info));
-  return static_cast<int>(
-      fail(ExitStatus::command_line_wrong, "no command; say render, compile, run or info (see halfspace --help)"));
+  if (*commands.report) return static_cast<int>(run_report(requests.report));
+  return static_cast<int>(fail(ExitStatus::command_line_wrong,
+                               "no command; say render, compile, run, info or report (see halfspace --help)"));
 }
 
 }  // namespace

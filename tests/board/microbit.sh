@@ -1,7 +1,7 @@
 #!/bin/bash
 # microbit.sh MAKE_JOB OUT_DIR - draws a scene on QEMU's microbit, compares its dots with the host's byte for byte,
 # prints what it took, and checks that a job too large for the board is refused with need and have.
-# Counts are instructions, not cycles: SysTick under -icount shift=6 (boards/microbit/tick_clock.hpp).
+# Counts are instructions, not cycles: SysTick under -icount shift=6 (boards/cortex_m/tick_clock.hpp).
 set -u
 export LC_ALL=C
 

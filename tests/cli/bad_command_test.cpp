@@ -27,7 +27,7 @@ Arguments with_stride(const char* stride) { return draw({"--shader", "stride", "
 
 std::vector<BadCommand> bad_commands() {
   return {
-      {"Nothing", {}, 2, {"no command", "render, compile, run or info"}},
+      {"Nothing", {}, 2, {"no command", "render, compile, run, info or report"}},
       {"UnknownSubcommand", {"draw", tube}, 2, {"draw"}},
       {"UnknownOption", draw({"-o", "out.png", "--colour"}), 2, {"--colour"}},
       {"NoScene", {"render", "-o", "out.png"}, 2, {"scene"}},
@@ -100,7 +100,7 @@ const Arguments shared_options{"--device",     "-d",       "--size", "--dpi",   
 const Arguments run_options{"--device", "-d", "--dpi", "--quiet"};
 
 TEST_F(CommandLine, HelpNamesEveryOptionDeviceAndStatus) {
-  expect_words(halfspace({"--help"}), {"render", "compile", "run", "info", "--version"});
+  expect_words(halfspace({"--help"}), {"render", "compile", "run", "info", "report", "--version"});
   expect_words(halfspace({"--help"}), exit_statuses);
   for (const char* command : {"render", "compile", "run", "info"}) {
     const Outcome help = halfspace({command, "--help"});
@@ -112,6 +112,7 @@ TEST_F(CommandLine, HelpNamesEveryOptionDeviceAndStatus) {
     expect_words(halfspace({command, "--help"}), {"--output", "-o", "--shader", "--stats", "--stats-json"});
   }
   expect_words(halfspace({"compile", "--help"}), {"--output", "-o", ".hsj"});
+  expect_words(halfspace({"report", "--help"}), {"--output", "-o", "--quick", "docs/report"});
 }
 
 TEST_F(CommandLine, VersionIsOneLine) { EXPECT_EQ(halfspace({"--version"}).out, "halfspace 0.1.0\n"); }

@@ -70,6 +70,7 @@ int unread_pipe() {
   ::dup2(err, STDERR_FILENO);
   ::setenv("ASAN_OPTIONS", "exitcode=99", 1);
   ::setenv("UBSAN_OPTIONS", "exitcode=99:print_stacktrace=1", 1);
+  if (!child.path.empty()) ::setenv("PATH", child.path.c_str(), 1);
   if (::chdir(child.folder.c_str()) != 0) ::_exit(98);
   if (child.obeys_permissions && ::geteuid() == 0) {
     if (::prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE) != 0 || ::prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH) != 0) {

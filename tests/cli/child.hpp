@@ -11,6 +11,7 @@ struct Child {
   std::string input = {};          // standard input
   std::string folder = ".";        // current folder
   std::string output_path = {};    // standard output goes to this file instead of `out`
+  std::string path = {};           // folders of programs; empty: as here
   bool closed_output = false;      // standard output is a pipe that nobody reads
   bool on_terminal = false;        // standard error is a terminal
   bool obeys_permissions = false;  // even when root runs the test

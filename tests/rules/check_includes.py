@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """check_includes.py [ROOT] - includes point one way, down the table of docs/architecture.md.
 
-The core includes itself and freestanding headers of the language; nothing outside tests includes tests.
+The core includes itself and freestanding headers of the language; nothing outside tests includes
+tests, but for the report, whose errors are distances from the oracle.
 """
 import pathlib
 import sys
@@ -17,6 +18,7 @@ ALLOWED = {
     "sim": ["sim", "hal", "firmware/core/page.hpp"],
     "boards": ["boards", "firmware", "hal", "drivers"],
     "host": ["host", "firmware", "hal", "drivers", "sim"],
+    "host/report": ["host", "firmware", "hal", "drivers", "sim", "tests/oracle"],
     "tests": ["tests", "host", "firmware", "hal", "drivers", "sim", "boards"],
 }
 # <algorithm> is not freestanding before C++26, but what allocates in it shows in the cross build.

@@ -28,14 +28,15 @@ class Includes(unittest.TestCase):
                               ("hal/a.hpp", '"firmware/core/engine.hpp"'), ("hal/a.hpp", '"drivers/a.hpp"'),
                               ("drivers/a.cpp", '"sim/a.hpp"'), ("sim/a.cpp", '"drivers/a.hpp"'),
                               ("boards/x/a.cpp", '"host/a.hpp"'), ("host/cli/a.cpp", '"tests/a.hpp"'),
-                              ("host/cli/a.cpp", '"a.hpp"'), ("firmware/app/a.cpp", '"drivers/a.hpp"')]:
+                              ("host/cli/a.cpp", '"a.hpp"'), ("host/cli/a.cpp", '"tests/oracle/a.hpp"'),
+                              ("host/report/a.cpp", '"tests/core/a.hpp"'), ("firmware/app/a.cpp", '"drivers/a.hpp"')]:
             with self.subTest(path=path, include=include):
                 self.assertEqual(len(self.complaints(path, include)), 1)
 
     def test_pointing_down_passes(self):
         for path, include in [("firmware/core/a.cpp", '"firmware/core/b.hpp"'), ("hal/a.hpp", '"firmware/core/page.hpp"'),
                               ("drivers/a.cpp", '"hal/a.hpp"'), ("tests/core/a.cpp", '"tests/oracle/a.hpp"'),
-                              ("host/cli/a.cpp", "<iostream>"), ("firmware/core/a.cpp", "<cstdint>")]:
+                              ("host/cli/a.cpp", "<iostream>"), ("host/report/a.cpp", '"tests/oracle/a.hpp"'), ("firmware/core/a.cpp", "<cstdint>")]:
             with self.subTest(path=path, include=include):
                 self.assertEqual(self.complaints(path, include), [])
 

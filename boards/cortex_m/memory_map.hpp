@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-namespace halfspace::microbit {
+namespace halfspace::cortex_m {
 
 // All RAM that variables and stack leave; aligned to 8 bytes.
 [[nodiscard]] std::span<std::byte> arena();
@@ -15,4 +15,4 @@ void paint_stack();
 [[nodiscard]] std::size_t stack_used();
 [[nodiscard]] std::size_t stack_size();
 
-}  // namespace halfspace::microbit
+}  // namespace halfspace::cortex_m

@@ -1,4 +1,4 @@
-#include "boards/microbit/tick_clock.hpp"
+#include "boards/cortex_m/tick_clock.hpp"
 
 namespace {
 
@@ -8,7 +8,7 @@ volatile std::uint32_t wraps = 0;
 
 extern "C" void systick_handler() { wraps = wraps + 1; }
 
-namespace halfspace::microbit {
+namespace halfspace::cortex_m {
 namespace {
 
 // Armv6-M, B3.2.4 and B3.3.
@@ -20,11 +20,10 @@ bool wrap_pending() { return (word_at(0xe000ed04) & (1U << 26)) != 0; }  // ICSR
 
 constexpr std::uint32_t last_tick = 0xffffff;
 constexpr std::uint32_t enable_with_interrupt = 7;  // processor clock, interrupt, enable
-constexpr std::uint64_t ticks_per_ms = 16'000;
 
 }  // namespace
 
-TickClock::TickClock() {
+TickClock::TickClock(std::uint32_t ticks_per_ms) : ticks_per_ms_(ticks_per_ms) {
   control() = 0;
   reload() = last_tick;
   current() = 0;
@@ -40,6 +39,6 @@ std::uint64_t TickClock::ticks() const {
   }
 }
 
-std::uint32_t TickClock::now_ms() { return static_cast<std::uint32_t>(ticks() / ticks_per_ms); }
+std::uint32_t TickClock::now_ms() { return static_cast<std::uint32_t>(ticks() / ticks_per_ms_); }
 
-}  // namespace halfspace::microbit
+}  // namespace halfspace::cortex_m

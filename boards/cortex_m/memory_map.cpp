@@ -1,9 +1,9 @@
-#include "boards/microbit/memory_map.hpp"
+#include "boards/cortex_m/memory_map.hpp"
 
 extern "C" std::byte arena_begin[], arena_end[];
 extern "C" std::uint32_t stack_limit[], stack_top[];
 
-namespace halfspace::microbit {
+namespace halfspace::cortex_m {
 namespace {
 
 constexpr std::uint32_t paint = 0x5ca1ab1e;
@@ -30,4 +30,4 @@ std::size_t stack_used() {
 
 std::size_t stack_size() { return bytes_between(stack_limit, stack_top); }
 
-}  // namespace halfspace::microbit
+}  // namespace halfspace::cortex_m

@@ -1,8 +1,8 @@
 // From power-on to main: variables set, stack painted, constructors run. A fault ends the program with status 99.
 #include <cstdint>
 
-#include "boards/microbit/memory_map.hpp"
-#include "boards/microbit/semihosting.hpp"
+#include "boards/cortex_m/memory_map.hpp"
+#include "boards/cortex_m/semihosting.hpp"
 
 extern "C" {
 extern const std::uint32_t data_in_flash[];
@@ -12,7 +12,7 @@ extern const Constructor init_array_begin[], init_array_end[];
 void systick_handler();
 
 [[noreturn]] void reset_handler();
-[[noreturn]] void fault_handler() { halfspace::microbit::exit_program(99); }
+[[noreturn]] void fault_handler() { halfspace::cortex_m::exit_program(99); }
 }
 
 int main();
@@ -38,7 +38,7 @@ void reset_handler() {
   const std::uint32_t* from = data_in_flash;
   for (std::uint32_t* to = data_begin; to < data_end; ++to) *to = *from++;
   for (std::uint32_t* to = bss_begin; to < bss_end; ++to) *to = 0;
-  halfspace::microbit::paint_stack();
+  halfspace::cortex_m::paint_stack();
   for (const Constructor* constructor = init_array_begin; constructor < init_array_end; ++constructor) (*constructor)();
-  halfspace::microbit::exit_program(main());
+  halfspace::cortex_m::exit_program(main());
 }

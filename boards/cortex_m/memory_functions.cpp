@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "boards/microbit/semihosting.hpp"
+#include "boards/cortex_m/semihosting.hpp"
 
 // Without this the compiler would turn each loop into a call of the function it stands in.
 #define HALFSPACE_PLAIN_LOOP __attribute__((optimize("no-tree-loop-distribute-patterns")))
@@ -69,5 +69,5 @@ HALFSPACE_PLAIN_LOOP std::size_t strlen(const char* text) {
   return n;
 }
 
-[[noreturn]] void __cxa_pure_virtual() { halfspace::microbit::exit_program(98); }
+[[noreturn]] void __cxa_pure_virtual() { halfspace::cortex_m::exit_program(98); }
 }
