@@ -33,7 +33,7 @@ class Collector final : public BandSink {
 
 DrawResult draw_into(BandSink& sink, const JobResult& job, const ListedShader& shader,
                      std::vector<std::uint64_t>& memory) {
-  memory.resize(memory_needed(job.header, band_rows) / 8 + 1);
+  memory.resize(memory_wanted(job.header, band_rows) / 8 + 1);
   MemorySource source(job.bytes);
   const DrawOptions options{.shader = shader.shader, .stride = shader.stride, .band_rows = band_rows, .measure = false};
   const CallgrindToggle counted;
