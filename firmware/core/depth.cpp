@@ -118,7 +118,7 @@ void make_inverse(ActiveFace& face) {
 }
 
 DepthLine::DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b)
-    : face_(face), y_(y - face.origin_y), a_(a) {
+    : face_(face), y_(y - face.origin_y), a_(a), b_(b) {
   if (face.kind == FaceKind::root) load_root(a - face.origin_x, y_, b - a);
   if (face.kind == FaceKind::plane) load_plane(a - face.origin_x, y_, b - a);
 }
@@ -162,6 +162,33 @@ DepthSample DepthLine::at(std::int32_t x) const {
   }
   const std::int64_t z = (units * face_.inverse) >> shift_;
   return in_page({z, error_ + ((z < 0 ? -z : z) >> 29)});
+}
+
+// Between its ends and its middle a face lies within the chords' strips (depth.hpp). Produced by the other half's length and a part in
+// `shorter`, a chord rises by no more than it does there, and that part: halves differ by a dot.
+DepthRange DepthLine::range() const {
+  constexpr DepthRange unknown{INT32_MIN, INT32_MAX, -1, 0, -1};
+  const std::int32_t shorter = (b_ - a_) / 2;
+  const DepthSample middle = at(a_ + shorter);
+  std::int64_t low = middle.z;
+  std::int64_t high = middle.z;
+  std::int64_t error = middle.error;
+  if (error < 0) return unknown;
+  for (const std::int32_t x : {a_, b_}) {
+    const DepthSample end = at(x);
+    if (end.error < 0) return unknown;
+    error = std::max(error, end.error);
+    const std::int64_t rise = end.z - middle.z;
+    const std::int64_t produced = shorter == 0 ? 0 : -(rise + (rise >> (bits_of(shorter) - 1)));
+    low = std::min({low, end.z, middle.z + produced});
+    high = std::max({high, end.z, middle.z + produced});
+  }
+  low -= 5 * error + 1;  // that of a value produced by twice its length, and of the shift
+  high += 5 * error + 1;
+  constexpr std::int64_t most = std::int64_t{INT32_MAX} << depth_fraction;
+  if (low < -most || high > most) return unknown;
+  const auto ceiling = static_cast<std::int32_t>(-(-high >> depth_fraction));
+  return {static_cast<std::int32_t>(low >> depth_fraction), ceiling, -1, 0, -1};
 }
 
 DepthSample DepthLine::in_page(DepthSample local) const {

@@ -52,6 +52,8 @@ class DepthLine {
  public:
   DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
   [[nodiscard]] DepthSample at(std::int32_t x) const;
+  // On all dots of the run: from three samples.
+  [[nodiscard]] DepthRange range() const;
 
  private:
   void load_root(std::int32_t x, std::int32_t y, std::int32_t length);
@@ -60,7 +62,7 @@ class DepthLine {
   [[nodiscard]] DepthSample in_page(DepthSample local) const;
 
   const ActiveFace& face_;
-  std::int32_t y_, a_;
+  std::int32_t y_, a_, b_;
   std::int64_t start_ = 0, slope_ = 0;  // of -b, in 2^-16 units
   Wide<128> d2_, d1_, d0_;              // D
   std::int16_t root_shift_ = 0;         // D 2^-2root_shift is in squares of units

@@ -46,9 +46,16 @@ struct RootSurface {
   ScaledLinear square_root;
 };
 
+// Whole dots of page depth between which a face lies on dots x0 .. x1 of line y: span_list.cpp.
+struct DepthRange {
+  std::int32_t low = 0, high = 0;
+  std::int16_t y = -1, x0 = 0, x1 = -1;
+};
+
 struct ActiveFace {
   std::array<Wide<128>, 10> c;
   RootSurface surface;  // of a root face
+  DepthRange range;     // on the last line that asked for it
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
   std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_inverse()

@@ -24,7 +24,7 @@ struct Span {
 
 class SpanList {
  public:
-  SpanList(std::span<Span> pool, std::span<const ActiveFace> faces, const ExactModule& exact, Counters& counters)
+  SpanList(std::span<Span> pool, std::span<ActiveFace> faces, const ExactModule& exact, Counters& counters)
       : pool_(pool), faces_(faces), exact_(exact), counters_(counters) {}
 
   void clear(std::int32_t y);
@@ -39,10 +39,16 @@ class SpanList {
  private:
   bool add(std::uint16_t face, std::int32_t x0, std::int32_t x1);
   void remove(std::uint16_t slot);
-  bool merge(std::uint16_t face, const Span& old, std::int32_t x0, std::int32_t x1);
+  // Dots x0 .. x1 of a face: all of the cell that is being merged, and all of a span.
+  struct Stretch {
+    std::uint16_t face;
+    std::int32_t x0, x1;
+  };
+  [[nodiscard]] const DepthRange& range_of(const Stretch& stretch);
+  bool merge(const Stretch& cell, const Span& old, std::int32_t x0, std::int32_t x1);
 
   std::span<Span> pool_;
-  std::span<const ActiveFace> faces_;
+  std::span<ActiveFace> faces_;
   const ExactModule& exact_;
   Counters& counters_;
   std::int32_t y_ = 0;

@@ -80,7 +80,7 @@ struct Merged {
 
 Merged merge(const Line& line, std::size_t pool_size) {
   std::vector<Span> pool(pool_size);
-  const std::vector<ActiveFace> faces = line.active();
+  std::vector<ActiveFace> faces = line.active();
   Counters counters;
   SpanList list(pool, faces, exact_1152, counters);
   Merged merged;
