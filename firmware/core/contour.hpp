@@ -22,6 +22,8 @@ enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general
 // What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
 struct FaceContours {
   ContourKind kind = ContourKind::unknown;
+  bool by_dots = false;              // its last span was shaded dot by dot
+  std::uint32_t dots = 0, runs = 0;  // of that span
   SphereContours sphere;
   StraightContours straight;
   std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up

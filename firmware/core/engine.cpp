@@ -61,6 +61,7 @@ struct Pools {
   std::span<std::uint8_t> band;
   std::span<std::int32_t> scratch;   // of contours: a word a level
   std::span<FaceContours> contours;  // of the first faces
+  std::span<std::uint32_t> blocks;   // of straight contours, of the first of those
 };
 
 std::int32_t state_bytes(const JobHeader& h) { return (h.needs.arc_bytes + 7) / 8 * 8; }
@@ -83,12 +84,17 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   return p;
 }
 
+// Faces on one line whose straight contours are kept, at most: on a page of many small ones they do not pay.
+constexpr std::size_t most_blocks = 64;
+
 // From what memory is left: for as many faces as fit.
 void carve_contours(Arena& arena, const JobHeader& h, Pools& p) {
   const auto levels = static_cast<std::size_t>(h.page.levels);
   if (arena.left() < levels * sizeof(std::int32_t) + 8) return;
   p.scratch = arena.take<std::int32_t>(levels);
   p.contours = arena.take<FaceContours>(std::min(p.faces.size(), arena.left() / sizeof(FaceContours)));
+  const std::size_t words = straight_block_words(h.page.levels);
+  p.blocks = arena.take<std::uint32_t>(words * std::min({p.contours.size(), most_blocks, arena.left() / (4 * words)}));
 }
 
 class Engine {
@@ -191,7 +197,10 @@ class Engine {
     module->enter(face, h_.lighting);
     ++result_.counters.curved_faces;
     if (number < p_.contours.size()) {
+      const std::size_t words = straight_block_words(h_.page.levels);
       p_.contours[number] = {};
+      if ((number + 1) * words <= p_.blocks.size())
+        p_.contours[number].block = p_.blocks.subspan(number * words, words);
     } else if (wants_contours()) {
       ++result_.counters.crowded_faces;
     }
@@ -340,9 +349,14 @@ class Engine {
     ShadeJob job{face, h_.lighting, levels_, exact_, painter_, result_.counters, options_.stride, nullptr, p_.scratch};
     if (span.face < p_.contours.size() && wants_contours()) {
       job.contours = &p_.contours[span.face];
-      if (modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) return;
     }
-    module_of(face.kind)->shade(job, options_.shader, y, span.x0, span.x1);
+    const std::uint32_t runs = result_.counters.level_spans;
+    if (job.contours == nullptr || !modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) {
+      module_of(face.kind)->shade(job, options_.shader, y, span.x0, span.x1);
+    }
+    if (job.contours == nullptr) return;
+    job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
+    job.contours->runs = result_.counters.level_spans - runs;
   }
 
   void shade(std::int32_t y) {
@@ -415,7 +429,9 @@ std::size_t memory_needed(const JobHeader& header, std::int32_t band_rows) {
 std::size_t memory_wanted(const JobHeader& header, std::int32_t band_rows) {
   Arena counting({});
   (void)counting.take<std::int32_t>(static_cast<std::size_t>(header.page.levels));
-  (void)counting.take<FaceContours>(static_cast<std::size_t>(header.needs.faces));
+  const auto faces = static_cast<std::size_t>(header.needs.faces);
+  (void)counting.take<FaceContours>(faces);
+  (void)counting.take<std::uint32_t>(straight_block_words(header.page.levels) * std::min(faces, most_blocks));
   return memory_needed(header, band_rows) + counting.used();
 }
 

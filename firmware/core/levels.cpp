@@ -4,7 +4,7 @@
 namespace halfspace {
 namespace {
 
-using Int = Wide<192>;
+using Int = Wide<128>;  // t, most < 2^24, |light|^2 < 2^32, and a bit for each doubling: under 2^84
 
 // floor(2^32 n / d) for 0 <= n < d.
 std::uint32_t fraction(Int n, const Int& d) {

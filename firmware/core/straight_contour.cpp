@@ -14,6 +14,7 @@ constexpr int most_part_bits = 13;
 constexpr std::int32_t place_error = 4;  // parts: three roundings down, and the scale's error on a b of 24 bits
 constexpr std::int32_t zone_rim = 32;  // parts that a zone takes beyond its right dot, more than what a dot is asked by
 constexpr std::int32_t reach_beyond = 64;  // dots traced beyond a span, as far as the face goes
+constexpr std::uint32_t least_dots = 32;   // of a span: a shorter one is not worth a trace
 constexpr std::uint32_t patience = 3;      // a trace costs some lines shaded otherwise: once in so many
 
 // --- the face ---
@@ -66,16 +67,20 @@ struct Entry {
   Turn turn;
 };
 
-// The least width that an entry can hold and that is not less.
+// With the least width that an entry can hold and that is not less.
 std::uint32_t packed(const Entry& e) {
-  std::uint32_t exponent = 0;
-  while ((e.width + (1 << exponent) - 1) >> exponent > 7) ++exponent;
-  const std::uint32_t mantissa =
-      std::max<std::uint32_t>(static_cast<std::uint32_t>((e.width + (1 << exponent) - 1) >> exponent), 4) - 4;
-  return static_cast<std::uint32_t>(e.b) << 8 | mantissa << 6 | exponent << 2 | static_cast<std::uint32_t>(e.turn);
+  const std::int32_t width = std::max<std::int32_t>(e.width, 0);
+  int exponent = 0;
+  while ((width + (1 << exponent) - 1) >> exponent > 7) ++exponent;
+  const std::int32_t mantissa = std::max<std::int32_t>((width + (1 << exponent) - 1) >> exponent, 4) - 4;
+  return static_cast<std::uint32_t>(e.b) << 8 |
+         static_cast<std::uint32_t>(mantissa << 6 | exponent << 2 | static_cast<std::int32_t>(e.turn));
 }
 std::int32_t width_of(std::uint32_t entry) {
   return static_cast<std::int32_t>((4 + (entry >> 6 & 3)) << (entry >> 2 & 15));
+}
+Entry unpacked(std::uint32_t entry) {
+  return {static_cast<std::int32_t>(entry >> 8), width_of(entry), static_cast<Turn>(entry & 3)};
 }
 
 // Certain levels of one line's dots.
@@ -90,6 +95,12 @@ class DotLevels {
   [[nodiscard]] bool reaches(const LitDot& dot, std::int32_t k) const {
     const Answer answer = compare(dot.light, line_.margin(dot, square(k)), square(k));
     return answer == Answer::unsure ? reaches_level(job_, line_.middle() + dot.t, y_, k) : answer == Answer::yes;
+  }
+  // From dot a to b.
+  [[nodiscard]] bool is_monotone(const RidgeForm& form, const LitDot& a, const LitDot& b) const {
+    const Course course =
+        form.course(form.at(a.t, a.s, line_.root_error(a.s)), form.at(b.t, b.s, line_.root_error(b.s)));
+    return course == Course::rising || course == Course::falling;
   }
   // Sought from a level near it, or -1.
   [[nodiscard]] std::int32_t level(const LitDot& dot, std::int32_t near) const {
@@ -167,11 +178,7 @@ class Trace {
   }
 
  private:
-  [[nodiscard]] bool is_monotone(const LitDot& a, const LitDot& b) const {
-    const Course course =
-        form_.course(form_.at(a, levels_.line().root_error(a)), form_.at(b, levels_.line().root_error(b)));
-    return course == Course::rising || course == Course::falling;
-  }
+  [[nodiscard]] bool is_monotone(const LitDot& a, const LitDot& b) const { return levels_.is_monotone(form_, a, b); }
   [[nodiscard]] std::int32_t parts(std::int32_t x) const { return (x - out_.first) << out_.part_bits; }
 
   bool add(const Entry& entry) {
@@ -358,19 +365,16 @@ class StraightSpan {
       const std::int32_t least = std::max((at - place_error + one_dot() - 1) >> s_.part_bits, x0_);
       const std::int32_t beyond = (at + width + place_error + one_dot() - 1) >> s_.part_bits;
       if (is_zone(entry)) {
-        Entry known{static_cast<std::int32_t>(entry >> 8), width_of(entry), static_cast<Turn>(entry & 3)};
-        show_zone(levels, known, least, beyond);
-        block_[static_cast<std::size_t>(i)] = packed(known);
-        continue;
+        show_zone(levels, i, least, beyond);
+      } else {
+        block_[static_cast<std::size_t>(i)] = turn_at(levels, unpacked(entry), least, beyond);
       }
-      block_[static_cast<std::size_t>(i)] = turn_at(levels, entry, least, beyond);
     }
   }
 
   // A crossing among dots least .. beyond - 1 or right of them; returns its entry, which may have shrunk.
-  std::uint32_t turn_at(const DotLevels& levels, std::uint32_t entry, std::int32_t least, std::int32_t beyond) {
-    const bool up = (entry & 3) == static_cast<std::uint32_t>(Turn::up);
-    Entry known{static_cast<std::int32_t>(entry >> 8), width_of(entry), up ? Turn::up : Turn::down};
+  std::uint32_t turn_at(const DotLevels& levels, Entry known, std::int32_t least, std::int32_t beyond) {
+    const bool up = known.turn == Turn::up;
     const std::int32_t end = known.b + known.width;
     std::int32_t x = least;
     for (; x < beyond && x <= x1_; ++x) {
@@ -397,38 +401,62 @@ class StraightSpan {
     from_ = x1_ + 1;
   }
 
-  // Dots whose levels are all asked. A soft zone loses its part from such a dot to its end where the level is that of the zone's
-  // sides and the intensity monotone.
-  void show_zone(const DotLevels& levels, Entry& known, std::int32_t least, std::int32_t beyond) {
+  // Dots of zone i, whose levels are all asked.
+  void show_zone(const DotLevels& levels, std::int32_t& i, std::int32_t least, std::int32_t beyond) {
+    Entry zone = unpacked(block_[static_cast<std::size_t>(i)]);
     std::int32_t level = level_;
     for (std::int32_t x = std::max(least, from_); x < std::min(beyond, x1_ + 1); ++x) {
       if (x > from_) run_.change(from_, level_);
-      const LitDot dot = levels.dot(x);
-      level = levels.level(dot, level);
+      level = levels.level(levels.dot(x), level);
       run_.change(x, level);
       ++runs_;
       from_ = x + 1;
-      if (known.turn == Turn::soft_zone && level == level_) shrink(levels, dot, x, beyond, known);
+      if (zone.turn == Turn::soft_zone) shrink(levels, zone, i, x, beyond, level);
+    }
+    block_[static_cast<std::size_t>(i)] = packed(zone);
+  }
+  // A zone loses what lies between one of its dots and one of its ends where the intensity is monotone there. The level may change
+  // there at a limb only, as nothing lies beyond: the changes become crossings.
+  // The end itself is where an earlier dot was, known to back_error <= zone_rim / 2 and by a width rounded up to at most 5/4: so the
+  // dot must surely lie on the zone's side of that one.
+  void shrink(const DotLevels& levels, Entry& zone, std::int32_t& i, std::int32_t x, std::int32_t beyond,
+              std::int32_t level) {
+    const std::int32_t b = back(x);
+    const std::int32_t e = back_error();
+    const std::int32_t end = zone.b + zone.width;
+    if (e > zone_rim / 2) return;
+    if ((level == level_ || i == 0) && b + e <= zone.b + zone.width / 4 * 3 - zone_rim && x + 1 >= beyond &&
+        is_monotone(levels, x)) {
+      if (!insert(i + 1, std::max(b - e, zone.b), end, level, level_)) return;
+      zone.width = b + e - zone.b;
+      if (i == 0) s_.level = level_ = level;
+    } else if ((level == level_ || i == s_.entries - 1) && b - e >= zone.b + zone_rim && is_left_of(x - 1, zone.b) &&
+               is_monotone(levels, x - 1)) {
+      const std::int32_t before = s_.entries;
+      if (!insert(i, zone.b, std::min(b + e, end), level_, level)) return;
+      i += s_.entries - before;
+      level_ = level;
+      zone.b = b - e;
+      zone.width = end - zone.b;
     }
   }
-  void shrink(const DotLevels& levels, const LitDot& dot, std::int32_t x, std::int32_t beyond, Entry& known) const {
-    const auto monotone_to = [&](std::int32_t other) {
-      if (other < x0_ || other > x1_) return false;
-      const RidgeForm form(levels.line());
-      const RidgeDot here = form.at(dot, levels.line().root_error(dot));
-      const LitDot lit = levels.dot(other);
-      const RidgeDot there = form.at(lit, levels.line().root_error(lit));
-      const Course course = other < x ? form.course(there, here) : form.course(here, there);
-      return course == Course::rising || course == Course::falling;
-    };
-    const std::int32_t end = known.b + known.width;
-    if (x + 1 >= beyond && monotone_to(x + 1)) {
-      known.width = std::max<std::int32_t>(std::min(end, back(x) + back_error()) - known.b, 0);
-    } else if (((x - 1) << s_.part_bits) <= base_ + upper(static_cast<std::uint32_t>(known.b) << 8) - place_error &&
-               monotone_to(x - 1)) {
-      known.b = std::max(known.b, back(x) - back_error());
-      known.width = std::max<std::int32_t>(end - known.b, 0);
-    }
+  // From dot x to the next, both of the span.
+  [[nodiscard]] bool is_monotone(const DotLevels& levels, std::int32_t x) const {
+    if (x < x0_ || x >= x1_) return false;
+    return levels.is_monotone(RidgeForm(levels.line()), levels.dot(x), levels.dot(x + 1));
+  }
+  [[nodiscard]] bool is_left_of(std::int32_t x, std::int32_t b) const {
+    return x << s_.part_bits <= base_ + upper(static_cast<std::uint32_t>(b) << 8) - place_error;
+  }
+  // Crossings between b and end, from level to level, before entry i. False where the block is too short.
+  bool insert(std::int32_t i, std::int32_t b, std::int32_t end, std::int32_t from, std::int32_t to) {
+    const std::int32_t count = from < to ? to - from : from - to;
+    if (static_cast<std::size_t>(s_.entries + count) > block_.size()) return false;
+    std::uint32_t* const at = block_.data() + i;
+    std::copy_backward(at, block_.data() + s_.entries, block_.data() + s_.entries + count);
+    std::fill(at, at + count, packed({b, end - b, from < to ? Turn::up : Turn::down}));
+    s_.entries += count;
+    return true;
   }
 
   // The b of a dot, to within back_error: the place's error and a rounding, over the scale, and another rounding.
@@ -440,7 +468,7 @@ class StraightSpan {
   }
 
   const ShadeJob& job_;
-  const StraightContours& s_;
+  StraightContours& s_;
   std::span<std::uint32_t> block_;
   std::int32_t y_, x0_, x1_;
   RunPainter run_;
@@ -459,11 +487,14 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
   StraightSpan span(job, y, x0, x1);
   if (span.is_usable()) {
+    if (static_cast<std::uint32_t>(s.entries) > 4 * dots + 128) return false;
     span.paint();
     return true;
   }
   s.waited += dots;
-  if (s.waited < patience * dots || dots < 16) return false;
+  const FaceContours& face = *job.contours;
+  const bool crowded = 10 * face.runs > (face.by_dots ? 9 : 15) * face.dots;  // more entries than dots
+  if (s.waited < patience * dots || dots < least_dots || crowded) return false;
   s.waited = 0;
   if (!trace(job, y, x0, x1)) return false;
   StraightSpan traced(job, y, x0, x1);

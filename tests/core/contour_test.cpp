@@ -19,7 +19,10 @@ class Contours {
         words_(row_words(page_)),
         squares_(static_cast<std::size_t>(levels)),
         scratch_(static_cast<std::size_t>(levels)),
-        table_(make_levels(lighting, levels, squares_)) {}
+        block_(straight_block_words(levels)),
+        table_(make_levels(lighting, levels, squares_)) {
+    contours.block = block_;
+  }
 
   // The run's levels; empty: declined.
   std::vector<std::uint8_t> shade(const TestFace& face, const ExactModule& exact, bool by_contours, std::int32_t y,
@@ -45,6 +48,7 @@ class Contours {
   Page page_;
   std::vector<std::uint32_t> words_, squares_;
   std::vector<std::int32_t> scratch_;
+  std::vector<std::uint32_t> block_;
   LevelTable table_;
 };
 
@@ -105,33 +109,56 @@ Lighting some_lighting(Dice& dice) {
   return l;
 }
 
-// A sphere of radius r / 16 dots about a point of the 1/16 dot grid, stretched in y where the lighting's matrix says so.
+mpz_class whole(std::int64_t v) { return static_cast<long>(v); }
+
+// A sphere about a point of a fine grid. Where the lighting's matrix stretches y, so does the shape, and |N| is constant again.
 TestFace some_sphere(Dice& dice, std::int64_t radius, std::int32_t side, const Lighting& lighting) {
-  std::array<mpz_class, 10> c;
   const std::int64_t unit = dice() % 2 == 0 ? 16 : between(dice, 1, 64);
-  const std::int64_t stretch = lighting.matrix[1][1] == 1 << 14 ? 1 : 2;
-  const std::int64_t x = between(dice, -unit, unit);
-  const std::int64_t y = between(dice, -unit, unit);
-  const std::int64_t r = radius * unit + between(dice, 0, unit);
-  // |N| is constant only where the matrix undoes the stretch.
-  const mpz_class m = lighting.matrix[1][1];
-  const mpz_class ky = stretch == 1 ? mpz_class(1) : mpz_class(1);
-  const mpz_class one = 1 << 14;
-  const auto u = [](std::int64_t v) { return mpz_class(static_cast<long>(v)); };
-  // (unit x - x0)^2 + k (unit y - y0)^2 + (unit z)^2 = r^2 with k = (one / m)^2, times m^2
-  const mpz_class sx = stretch == 1 ? mpz_class(1) : mpz_class(m * m);
-  const mpz_class sy = stretch == 1 ? mpz_class(1) : mpz_class(one * one);
-  (void)ky;
-  c[0] = sx * u(unit) * u(unit);
-  c[1] = sy * u(unit) * u(unit);
-  c[2] = sx * u(unit) * u(unit);
-  c[6] = -sx * u(unit) * u(x);
-  c[7] = -sy * u(unit) * u(y);
-  c[9] = sx * u(x) * u(x) + sy * u(y) * u(y) - sx * u(r) * u(r);
-  const std::int64_t at = side / 2;
-  return make_face(FaceKind::root, c,
-                   {at + between(dice, -radius / 2, radius / 2), at + between(dice, -radius / 2, radius / 2), 0},
-                   dice() % 3 == 0 ? 1 : -1, dice() % 3 == 0 ? -1 : 1, 0, lighting);
+  const mpz_class x = whole(between(dice, -unit, unit));
+  const mpz_class y = whole(between(dice, -unit, unit));
+  const mpz_class r = whole(radius * unit + between(dice, 0, unit));
+  // sx (unit x - x0)^2 + sy (unit y - y0)^2 + sx (unit z)^2 = sx r^2, whose gradient's y the matrix multiplies by m / 2^14
+  const bool stretched = lighting.matrix[1][1] != 1 << 14;
+  const mpz_class m = whole(lighting.matrix[1][1]);
+  const mpz_class sx = stretched ? mpz_class(m * m) : mpz_class(1);
+  const mpz_class sy = stretched ? mpz_class(1 << 28) : mpz_class(1);
+  std::array<mpz_class, 10> c;
+  c[0] = c[2] = sx * whole(unit * unit);
+  c[1] = sy * whole(unit * unit);
+  c[6] = -sx * whole(unit) * x;
+  c[7] = -sy * whole(unit) * y;
+  c[9] = sx * x * x + sy * y * y - sx * r * r;
+  const auto at = [&] { return side / 2 + between(dice, -radius / 2, radius / 2); };
+  return make_face(FaceKind::root, c, {at(), at(), 0}, dice() % 3 == 0 ? 1 : -1, dice() % 3 == 0 ? -1 : 1, 0, lighting);
+}
+
+// A cylinder, or a cone with its apex on the page or off it: a sum of two squares of integer forms, less a third or a constant.
+TestFace some_ruled_face(Dice& dice, std::int64_t radius, std::int32_t side, const Lighting& lighting) {
+  const bool cone = dice() % 2 == 0;
+  const std::int64_t size = dice() % 4 == 0 ? 1000 : 30;
+  std::array<mpz_class, 10> c;
+  std::array<std::int64_t, 3> apex{between(dice, -radius, radius), between(dice, -radius, radius), 0};
+  mpz_class length;
+  for (int term = 0; term < (cone ? 3 : 2); ++term) {
+    std::array<mpz_class, 4> l;
+    for (int i = 0; i < 3; ++i) l[static_cast<std::size_t>(i)] = whole(between(dice, -size, size));
+    if (dice() % 8 == 0) l[dice() % 3] = 0;
+    for (std::size_t i = 0; i < 3; ++i) l[3] -= l[i] * whole(apex[i]);
+    const int sign = term == 2 ? -1 : 1;
+    length += l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
+    static constexpr std::uint8_t place[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i; j < 4; ++j) c[place[i][j]] += sign * l[i] * l[j];
+    }
+  }
+  if (!cone) c[9] -= length * whole(radius * radius) / whole(between(dice, 2, 12));
+  int light_sign = dice() % 2 == 0 ? 1 : -1;
+  if (c[2] < 0) {
+    for (mpz_class& k : c) k = -k;
+    light_sign = -light_sign;
+  }
+  return make_face(c[2] == 0 ? FaceKind::rational : FaceKind::root, c, {side / 2, side / 2, 0},
+                   dice() % 2 == 0 ? 1 : -1, light_sign, 0, lighting);
 }
 
 TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
@@ -148,6 +175,38 @@ TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
   EXPECT_GT(tally.dots, 500000U);
   EXPECT_LT(tally.declined * 2, tally.dots);
   RecordProperty("declined", std::to_string(tally.declined * 100 / tally.dots));
+}
+
+// Line after line, as the engine asks: crossings are learnt from dots of the lines before.
+TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
+  Dice dice(31);
+  Tally tally;
+  std::uint64_t straight = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const Lighting lighting = dice() % 4 == 0 ? random_lighting(dice) : some_lighting(dice);
+    const std::int64_t radius = dice() % 8 == 0 ? between(dice, 100, 400) : between(dice, 20, 80);
+    const auto side = static_cast<std::int32_t>(2 * radius + 4);
+    const TestFace face = some_ruled_face(dice, radius, side, lighting);
+    if (face.active.kind != FaceKind::root) continue;
+    const std::int32_t levels = some_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, side);
+    if (exact == nullptr) continue;
+    Contours canvas(lighting, levels, side, side);
+    const auto left_cut = static_cast<std::int32_t>(between(dice, 1, 5));
+    for (std::int32_t y = 0; y < side; ++y) {
+      for (DotRun run : runs_of(face, y, side)) {
+        if (trial % 3 == 0)
+          run.x0 = std::min(run.x1, run.x0 + (y / 8 % 2) * (run.x1 - run.x0) / left_cut);  // something in front
+        const auto by_dots = canvas.shade(face, *exact, false, y, run);
+        ASSERT_EQ(canvas.shade(face, *exact, true, y, run), by_dots)
+            << "trial " << trial << " line " << y << " dots " << run.x0 << ".." << run.x1 << " levels " << levels;
+        tally.dots += by_dots.size();
+      }
+    }
+    straight += canvas.contours.straight.entries > 0 ? 1 : 0;
+  }
+  EXPECT_GT(tally.dots, 1000000U);
+  EXPECT_GT(straight, 200U);
 }
 
 }  // namespace
