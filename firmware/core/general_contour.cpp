@@ -67,7 +67,7 @@ struct Probe {
 // Where the boundaries of a monotone piece are to be expected, from left to right.
 class Forecast {
  public:
-  // A boundary's place, and the way from level to level there.
+  // A boundary's place, and the way from level to level there; after a ridge, where a piece begins as a rule, ways grow shorter.
   void add(std::int32_t place, std::int32_t way) {
     last_way_ = known_ ? way_ : way;
     place_ = place;
@@ -251,7 +251,8 @@ std::int32_t SpanTracer::way(const Probe& p, const Reciprocal& slope, std::int32
   return std::min<std::int32_t>((size << 8) / sixteenths, 1 << 19) << 5;
 }
 
-// The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`.
+// The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`; then where
+// the slope points, or in the middle where that is outside.
 std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
                                   Forecast& forecast) const {
   const std::int32_t e = out > in ? 1 : -1;
@@ -261,7 +262,8 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
     const Reciprocal slope(p.g1);
     const std::int32_t place = (guess << place_fraction) - slope.times(p.g);
     (reached ? in : out) = guess;
-    if (reached && in + e != out) {
+    guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
+    if (reached && in + e != out && (guess - in) * e < 2) {
       if (neighbour_fails(p, e) || !reaches(line_.quick_dot(in + e), k)) {
         out = in + e;
       } else {
@@ -272,9 +274,9 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
       forecast.add(place, way(p, slope, k));
       return in;
     }
-    guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
-    if (tries > 3 || !slope.known) guess = in + (out - in) / 2;
-    guess = e > 0 ? std::clamp(guess, in + 1, out - 1) : std::clamp(guess, out + 1, in - 1);
+    const bool inside = slope.known && (guess - in) * e >= 0 && (out - guess) * e >= 0;
+    if (!inside || tries % 4 == 3) guess = in + (out - in) / 2;
+    guess = std::clamp(guess, std::min(in, out) + 1, std::max(in, out) - 1);
   }
 }
 
@@ -291,14 +293,13 @@ void SpanTracer::monotone(const Stop& a, const Stop& b) {
   std::int32_t known = a.t;  // fails the next level if rising, else reaches it
   Forecast forecast;
   for (std::int32_t k = first; k != past; k += rising ? 1 : -1) {
+    std::int32_t guess = rising ? -(-place >> place_fraction) : place >> place_fraction;
+    if (k == first && (guess <= a.t || guess >= b.t)) guess = a.t + (b.t - a.t) / 2;
     if (rising) {
-      const std::int32_t guess = std::clamp(-(-place >> place_fraction), known + 1, b.t);
-      const std::int32_t t = boundary(k, b.t, known, guess, forecast);
-      turn(t, k);
-      known = t - 1;
+      known = boundary(k, b.t, known, std::clamp(guess, known + 1, b.t), forecast);
+      turn(known--, k);
     } else {
-      const std::int32_t guess = std::clamp(place >> place_fraction, known, b.t - 1);
-      known = boundary(k, known, b.t, guess, forecast);
+      known = boundary(k, known, b.t, std::clamp(guess, known, b.t - 1), forecast);
       turn(known + 1, k - 1);
     }
     place = forecast.next();

@@ -114,7 +114,7 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
   sloped_from_ = half_ < shortest_half ? std::numeric_limits<std::int32_t>::max() : 1 << std::max(20, slope_shift_);
   steady_from_ = std::max<std::int32_t>(
-      1 << 24, quick_root(std::min(9 * magnitude(d_.v2), (std::uint64_t{1} << 60) - 1) + 1) + 64);
+      1 << 24, quick_root(std::min(9 * magnitude(d_.v2) + 1, (std::uint64_t{1} << 60) - 1)) + 64);
   const auto m = static_cast<std::uint32_t>(magnitude(m_));
   bend_ = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
   deep_from_ = half_ * half_ + half_ + 2;

@@ -118,6 +118,7 @@ class LineSection {
 
   // What s may be off by at a dot.
   [[nodiscard]] std::int32_t root_error(std::int32_t s) const { return s >= deep_from_ ? 6 : half_ + 6; }
+  [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return root_error(dot.s); }
   // Of a quick dot away from limbs, for every square.
   [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
   [[nodiscard]] const Margin& quick_margin() const { return quick_margin_; }

@@ -37,6 +37,7 @@ class RidgeForm {
   explicit RidgeForm(const LineSection& line);
 
   [[nodiscard]] RidgeDot at(std::int32_t t, std::int32_t s, std::int32_t root_error) const;
+  [[nodiscard]] RidgeDot at(const LitDot& dot, std::int32_t root_error) const { return at(dot.t, dot.s, root_error); }
   // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
