@@ -14,9 +14,11 @@ ContourKind kind_of(const ShadeJob& job) {
 
 // Costs on a Cortex-M3, in hundreds of instructions (docs/contours.md): a span of n dots with r runs takes
 //   110 + 3.3 n + 0.9 r  dot by dot,  120 + 5.1 r  by general contours;
-// those of a sphere, or traced straight ones, cost a seventh of that a run. The last span tells r / n; without one, half is assumed.
-bool is_sparse(const FaceContours& face, std::uint32_t dots) {
-  const std::uint32_t runs = face.dots == 0 ? dots / 2 : dots * face.runs / face.dots;
+// those of a sphere, or traced straight ones, cost a seventh of that a run. The last span tells r / n; before there is one, each level once.
+bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
+  const FaceContours& face = *job.contours;
+  const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
+  const std::uint32_t runs = face.dots == 0 ? levels : dots * face.runs / face.dots;
   // Dot by dot a run can stand for several levels that change between two dots.
   return (face.by_dots ? 55 : 42) * runs + 100 < 33 * dots;
 }
@@ -36,7 +38,7 @@ bool shade_by(const ShadeJob& job, bool general, std::int32_t y, std::int32_t x0
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   if (job.contours->kind == ContourKind::unknown) job.contours->kind = kind_of(job);
-  const bool general = shader == Shader::contour || is_sparse(*job.contours, static_cast<std::uint32_t>(x1 - x0 + 1));
+  const bool general = shader == Shader::contour || is_sparse(job, static_cast<std::uint32_t>(x1 - x0 + 1));
   const bool done = shade_by(job, general, y, x0, x1);
   job.contours->by_dots = !done;
   if (done) job.counters.contour_dots += static_cast<std::uint32_t>(x1 - x0 + 1);

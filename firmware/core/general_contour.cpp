@@ -16,8 +16,7 @@ namespace {
 
 constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
 constexpr int place_fraction = 14;       // of places and ways, in dots
-
-constexpr int squares_unit = 24;  // squares and their slopes are cut to 2^24 where they predict
+constexpr int squares_unit = 24;         // squares and their slopes are cut to 2^24 where they predict
 
 // 1 / value in its leading 16 bits: 2^31 / inverse is value 2^-shift. Known from 2^15 on.
 struct Reciprocal {
@@ -93,7 +92,7 @@ class SpanTracer {
         ridge_(line_),
         painter_(job.painter, x0, 0),
         proof_margin_(static_cast<std::int32_t>(line_.quick_margin().squares >> squares_unit) +
-                      (1 << (31 - squares_unit))),
+                      (1 << (36 - squares_unit))),
         base_(static_cast<std::int32_t>((std::int64_t{job.table.levels - 1} * job.lighting.ambient << 4) /
                                         job.lighting.unit)) {}
 
@@ -129,6 +128,7 @@ class SpanTracer {
   }
   [[nodiscard]] Stop stop_at(std::int32_t t, std::int32_t near) const { return stop_at(t, ridge_at(t), near); }
 
+  [[nodiscard]] Course next_piece(const Stop& a, Stop& b) const;
   Stop dot_by_dot(const Stop& from, std::int32_t to);
   struct RidgeStop {
     std::int32_t t;
@@ -140,7 +140,7 @@ class SpanTracer {
   std::int32_t boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
                         Forecast& forecast) const;
   bool probe(Probe& p, std::int32_t t, std::int32_t k) const;
-  std::int64_t measure(Probe& p, std::uint32_t square) const;
+  [[gnu::always_inline]] std::int64_t measure(Probe& p, std::uint32_t square) const;
   [[nodiscard]] bool neighbour_fails(const Probe& p, std::int32_t e) const;
   [[nodiscard]] std::int32_t way(const Probe& p, const Reciprocal& slope, std::int32_t k) const;
 
@@ -205,7 +205,7 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
 }
 
 // Returns g itself.
-std::int64_t SpanTracer::measure(Probe& p, std::uint32_t square) const {
+inline std::int64_t SpanTracer::measure(Probe& p, std::uint32_t square) const {
   const auto l = static_cast<std::int32_t>(p.dot.light.l);
   const std::int64_t g = std::int64_t{l} * l - scale_by(square, p.dot.light.n2);
   p.square = square;
@@ -230,16 +230,16 @@ bool SpanTracer::probe(Probe& p, std::int32_t t, std::int32_t k) const {
 //   Times 2 L, where with t |N| = sqrt(L^2 - g) and g <= L^2 / 8
 //     2 L f = g (1 + f / (L + t |N|)) <= g (1 + 1/29),  and 2 L f' is g' but for g |(|N|^2)'| / 2 |N|^2 at most,
 //   so it is <= g + g / 16 + e g' + 2 L (|m| + |v|) eps where |(|N|^2)'| <= |N|^2 / 32.
-//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; what is cut in slope(), measure() and
-//   here adds less than 2^31.
+//   s' errs by less than 2^7, so L' by 260, (|N|^2)' by 2^38 and g' by 2^10 L + 2^38 t^2; L, by 34, and what is cut add less than
+//   2^36. |N|^2 errs by 2^35, so it must be larger than 2^39.
 bool SpanTracer::neighbour_fails(const Probe& p, std::int32_t e) const {
-  if (!p.slope.steady) return false;
+  if (!p.slope.steady || p.dot.light.l <= 0) return false;
   const auto l = static_cast<std::uint32_t>(p.dot.light.l);
   const std::int32_t room = (e > 0 ? -p.g1 : p.g1) - p.g - (p.g >> 4) -
                             static_cast<std::int32_t>((l >> 14) + (p.square >> 18)) - proof_margin_;
-  if (room <= 0 || p.g > static_cast<std::int32_t>(high_product(l, l) << 5)) return false;
+  if (room <= 0 || p.g >> 5 > static_cast<std::int32_t>(high_product(l, l))) return false;
   const auto n2 = static_cast<std::int32_t>(p.dot.light.n2 >> 33);
-  return p.slope.n2 <= n2 && -p.slope.n2 <= n2 && line_.straight(p.dot, room);
+  return n2 >= 1 << 6 && p.slope.n2 <= n2 && -p.slope.n2 <= n2 && line_.straight(p.dot, room);
 }
 
 // Dots from level to level: f' / f0 a dot, f0 = t |N| / (k - base) a level, and 2 L f' ~ g'.
@@ -251,7 +251,8 @@ std::int32_t SpanTracer::way(const Probe& p, const Reciprocal& slope, std::int32
   return std::min<std::int32_t>((size << 8) / sixteenths, 1 << 19) << 5;
 }
 
-// The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`.
+// The last dot from `in`, which reaches level k, towards `out`, which does not, that reaches it. Asked first at `guess`; then
+// where the slope points, or in the middle where that is outside.
 std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t out, std::int32_t guess,
                                   Forecast& forecast) const {
   const std::int32_t e = out > in ? 1 : -1;
@@ -261,7 +262,8 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
     const Reciprocal slope(p.g1);
     const std::int32_t place = (guess << place_fraction) - slope.times(p.g);
     (reached ? in : out) = guess;
-    if (reached && in + e != out) {
+    guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
+    if (reached && in + e != out && (guess - in) * e < 2) {
       if (neighbour_fails(p, e) || !reaches(line_.quick_dot(in + e), k)) {
         out = in + e;
       } else {
@@ -272,9 +274,9 @@ std::int32_t SpanTracer::boundary(std::int32_t k, std::int32_t in, std::int32_t 
       forecast.add(place, way(p, slope, k));
       return in;
     }
-    guess = e > 0 ? place >> place_fraction : -(-place >> place_fraction);
-    if (tries > 3 || !slope.known) guess = in + (out - in) / 2;
-    guess = e > 0 ? std::clamp(guess, in + 1, out - 1) : std::clamp(guess, out + 1, in - 1);
+    const bool inside = slope.known && (guess - in) * e >= 0 && (out - guess) * e >= 0;
+    if (!inside || tries % 4 == 3) guess = in + (out - in) / 2;
+    guess = std::clamp(guess, std::min(in, out) + 1, std::max(in, out) - 1);
   }
 }
 
@@ -291,24 +293,34 @@ void SpanTracer::monotone(const Stop& a, const Stop& b) {
   std::int32_t known = a.t;  // fails the next level if rising, else reaches it
   Forecast forecast;
   for (std::int32_t k = first; k != past; k += rising ? 1 : -1) {
+    std::int32_t guess = rising ? -(-place >> place_fraction) : place >> place_fraction;
+    if (k == first && (guess <= a.t || guess >= b.t)) guess = a.t + (b.t - a.t) / 2;
     if (rising) {
-      const std::int32_t guess = std::clamp(-(-place >> place_fraction), known + 1, b.t);
-      const std::int32_t t = boundary(k, b.t, known, guess, forecast);
-      turn(t, k);
-      known = t - 1;
+      known = boundary(k, b.t, known, std::clamp(guess, known + 1, b.t), forecast);
+      turn(known--, k);
     } else {
-      const std::int32_t guess = std::clamp(place >> place_fraction, known, b.t - 1);
-      known = boundary(k, known, b.t, guess, forecast);
+      known = boundary(k, known, b.t, std::clamp(guess, known, b.t - 1), forecast);
       turn(known + 1, k - 1);
     }
     place = forecast.next();
   }
 }
 
+// The course from a to b, b drawn nearer until it is sure, or short, or a's own course is not sure.
+Course SpanTracer::next_piece(const Stop& a, Stop& b) const {
+  while (b.t - a.t > short_piece) {
+    const Course course = ridge_.course(a.ridge, b.ridge);
+    if (course != Course::unsure || a.ridge.sign() == 0) return course;
+    b = stop_at(a.t + (b.t - a.t) / 2, a.level);
+  }
+  return Course::unsure;
+}
+
 void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   if (line_.dark()) {
     painter_.change(x0, job_.table.ambient_level);
     painter_.end(x1);
+    ++job_.counters.level_spans;
     return;
   }
   Stop a = stop_at(x0 - line_.middle(), -1);
@@ -318,12 +330,9 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   std::int32_t skip = 1;
   while (a.t < last.t) {
     Stop b = last;
-    Course course = Course::unsure;
-    while (b.t - a.t > short_piece && (course = ridge_.course(a.ridge, b.ridge)) == Course::unsure &&
-           a.ridge.sign() != 0) {
-      b = stop_at(a.t + (b.t - a.t) / 2, a.level);
-    }
+    const Course course = next_piece(a, b);
     if (course == Course::unsure) {
+      // Where the form vanishes, as on a ruling, ever longer runs go dot by dot.
       skip = std::min<std::int32_t>(2 * skip, 64);
       a = dot_by_dot(a, a.ridge.sign() == 0 ? std::min(a.t + skip, last.t) : b.t);
       continue;
@@ -342,8 +351,11 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
 }  // namespace
 
 bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  for (; x0 <= x1; x0 += 2 * longest_half)
-    SpanTracer(job, y, x0, std::min(x1, x0 + 2 * longest_half - 1)).run(x0, std::min(x1, x0 + 2 * longest_half - 1));
+  while (x0 <= x1) {
+    const std::int32_t end = std::min(x1, x0 + 2 * longest_half - 1);
+    SpanTracer(job, y, x0, end).run(x0, end);
+    x0 = end + 1;
+  }
   return true;
 }
 

@@ -11,6 +11,7 @@ namespace {
 constexpr int square_bits = 60;        // q and r s
 constexpr int discriminant_bits = 59;  // a bit less than quick_root allows: rounding may carry
 constexpr int root_fraction = 32;
+constexpr std::int32_t never = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t shortest_half = 8;  // where slopes are known: they would not fit in shorter sections
 
 // A line of a face's polynomial, before it is scaled.
@@ -42,13 +43,12 @@ std::uint32_t root_part(const LinePolynomial& d, const LinePolynomial& q) {
 }
 
 // 256 slope |K| 2^-90, rounded up, `part` being 256 slope. K is taken from 30 bits of D0, D1 h and D2 h^2, h = 2^half_bits.
-std::uint32_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part) {
+std::uint64_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part) {
   const std::int64_t d0 = d.v0 >> 30;
   const std::int64_t d1 = d.v1 >> (30 - half_bits);
   const std::int64_t d2 = d.v2 >> (30 - 2 * half_bits);
   const std::uint64_t k = magnitude(d0 * d2 - (d1 * d1 >> 2)) + (std::uint64_t{1} << 33);
-  const std::uint64_t bend = (((k >> 32) + 1) * part >> (2 * half_bits - 2)) + 1;
-  return bend >> 32 != 0 ? ~0U : static_cast<std::uint32_t>(bend);
+  return (((k >> 32) + 1) * part >> (2 * half_bits - 2)) + 1;
 }
 
 // In units of 2^unit. The terms at tau = 1 are up to 2 and 4 times those at the ends.
@@ -68,31 +68,34 @@ ShortPolynomial slope_of(const LinePolynomial& p, int half_bits, int unit) {
 
 // The scales follow root_shade.cpp: from the largest values that the section can reach, and where coefficients were rounded
 // (exponent > 0) such that their error stays under one unit.
-LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  const RootSurface& f = job.face.surface;
-  middle_ = x0 + (x1 - x0) / 2;
-  half_ = x1 - middle_;
-  half_bits_ = std::max<int>(1, std::bit_width(static_cast<std::uint32_t>(half_)));
-  const std::int32_t x = middle_ - job.face.origin_x;
-  const std::int32_t ly = y - job.face.origin_y;
+LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
+    : middle_(x0 + (x1 - x0) / 2),
+      half_(x1 - middle_),
+      half_bits_(std::max<int>(1, std::bit_width(static_cast<std::uint32_t>(half_)))),
+      tau_shift_(31 - half_bits_) {
+  load(job.face.surface, job.table.light_bits, middle_ - job.face.origin_x, y - job.face.origin_y);
+  prepare_slopes();
+  prepare_errors();
+}
 
-  const WideLine d(f.discriminant, x, ly);
+void LineSection::load(const RootSurface& f, int light_bits, std::int32_t x, std::int32_t y) {
+  const WideLine d(f.discriminant, x, y);
   const int root_shift = std::max((d.bits(half_) - discriminant_bits + 1) >> 1,
                                   f.discriminant.exponent > 0 ? quadratic_error_bits / 2 : -32);
-  const WideLine q(f.square, x, ly);
-  const WideLine r(f.square_root, x, ly);
+  const WideLine q(f.square, x, y);
+  const WideLine r(f.square_root, x, y);
   const int r_bits = r.bits(half_) + root_shift + square_bits / 2;
   int square_shift = std::max(q.bits(half_), r_bits) + 1 - square_bits;
   if (f.square.exponent > 0) square_shift = std::max(square_shift, quadratic_error_bits);
   // L / (|N| 2^light_bits) must come out as in LevelTable: twice light's scale is square's.
-  const int balance = f.square.exponent - 2 * f.light.exponent + 2 * job.table.light_bits;
+  const int balance = f.square.exponent - 2 * f.light.exponent + 2 * light_bits;
   if (f.light.exponent > 0) square_shift = std::max(square_shift, 2 * linear_error_bits - balance);
   const int half_exponent = f.discriminant.exponent / 2;
   if (f.light.exponent > half_exponent) square_shift = std::max(square_shift, 2 * (root_shift + 30) - balance);
   if (f.square.exponent > half_exponent) {
     square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
   }
-  const WideLine l(f.light, x, ly);
+  const WideLine l(f.light, x, y);
   const int light_terms = std::max(l.bits(half_), f.light_root.bit_length() + root_shift + square_bits / 2);
   square_shift = std::max(square_shift, 2 * (light_terms - 31) - balance);
   square_shift += (square_shift + balance) & 1;
@@ -104,25 +107,30 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
   l_ = l.scaled_by(light_shift - light_fraction);
   m_ = static_cast<std::int32_t>(scaled(f.light_root, light_shift - root_shift - 30));
   dark_ = f.light_root.is_zero() && l.v0.is_zero() && l.v1.is_zero();
-
-  tau_shift_ = 31 - half_bits_;
-  const std::uint64_t steepest = magnitude(d_.v1) + 2 * static_cast<std::uint64_t>(half_) * magnitude(d_.v2);
-  slope_shift_ = std::max(0, static_cast<int>(std::bit_width(steepest)) - 31);
-  d_slope_ = slope_of(d_, half_bits_, slope_shift_);
-  q_slope_ = slope_of(q_, half_bits_, 28);
-  r_slope_ = static_cast<std::int32_t>(r_.v1 >> 28);
-  l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
-  sloped_from_ = half_ < shortest_half ? std::numeric_limits<std::int32_t>::max() : 1 << std::max(20, slope_shift_);
-  steady_from_ = std::max<std::int32_t>(
-      1 << 24, quick_root(std::min(9 * magnitude(d_.v2), (std::uint64_t{1} << 60) - 1) + 1) + 64);
-  const auto m = static_cast<std::uint32_t>(magnitude(m_));
-  bend_ = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
-  deep_from_ = half_ * half_ + half_ + 2;
-  errors_[0] = errors_for(half_ + 6);
-  errors_[1] = errors_for(6);
   short_q_ = shortened(q_, half_bits_, short_unit);
   short_r_ = shortened(r_, half_bits_, root_fraction);
   short_l_ = shortened(l_, half_bits_, light_fraction);
+}
+
+void LineSection::prepare_slopes() {
+  const std::uint64_t steepest = magnitude(d_.v1) + 2 * static_cast<std::uint64_t>(half_) * magnitude(d_.v2);
+  slope_shift_ = std::max(0, static_cast<int>(std::bit_width(steepest)) - 31);
+  d_slope_ = slope_of(d_, half_bits_, slope_shift_);
+  q_slope_ = slope_of(q_, half_bits_, short_unit);
+  r_slope_ = static_cast<std::int32_t>(r_.v1 >> short_unit);
+  l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
+  const auto m = static_cast<std::uint32_t>(magnitude(m_));
+  const std::uint64_t bend = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
+  const std::uint64_t curved = std::min(9 * magnitude(d_.v2) + 1, (std::uint64_t{1} << 60) - 1);
+  bend_ = static_cast<std::uint32_t>(bend);
+  sloped_from_ = half_ < shortest_half ? never : 1 << std::max(20, slope_shift_);
+  steady_from_ = bend >> 32 != 0 ? never : std::max<std::int32_t>(1 << 24, quick_root(curved) + 64);
+}
+
+void LineSection::prepare_errors() {
+  deep_from_ = half_ * half_ + half_ + 2;
+  errors_[0] = errors_for(half_ + 6);
+  errors_[1] = errors_for(6);
   // What is short adds 16 units to l, 16 s to r s and 40 2^short_unit to q: the last two less than 2^35.
   Errors quick = errors_[1];
   quick.light += 16;

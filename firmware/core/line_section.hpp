@@ -41,8 +41,8 @@ constexpr std::int32_t high_product(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(std::int64_t{a} * b >> 32);
 }
 
-// A polynomial of the line in 32 bits: v0 + 4 v1 tau + 8 v2 tau^2, tau = t 2^-half_bits with 31 bits of fraction. Without v2 a value
-// is off by less than 16 units, with it by 40: a cut v2 counts 8, v1 4, v0 1, the products 16 and 8.
+// A polynomial of the line in 32 bits: v0 + 4 v1 tau + 8 v2 tau^2, tau = t 2^-half_bits with 31 bits of fraction. Without v2 a
+// value is off by less than 16 units, with it by 40: a cut v2 counts 8, v1 4, v0 1, the products 16 and 8.
 struct ShortPolynomial {
   std::int32_t v0 = 0, v1 = 0, v2 = 0;
 
@@ -109,6 +109,7 @@ class LineSection {
     slope.s = halved_ratio(d_slope_.linear(tau), dot.s);
     const std::int32_t size = slope.s < 0 ? -slope.s : slope.s;
     slope.known = size < 1 << 29;
+    if (!slope.known) return slope;
     slope.steady = size < dot.s >> 4 && dot.s >= steady_from_;
     slope.l = l_slope_ + static_cast<std::int32_t>(std::int64_t{m_} * slope.s >> 30);
     slope.n2 = q_slope_.linear(tau) + high_product(r_slope_, dot.s) +
@@ -118,6 +119,7 @@ class LineSection {
 
   // What s may be off by at a dot.
   [[nodiscard]] std::int32_t root_error(std::int32_t s) const { return s >= deep_from_ ? 6 : half_ + 6; }
+  [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return root_error(dot.s); }
   // Of a quick dot away from limbs, for every square.
   [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
   [[nodiscard]] const Margin& quick_margin() const { return quick_margin_; }
@@ -126,12 +128,11 @@ class LineSection {
     return margin_of(errors_[deep(dot) ? 1 : 0], dot.light, square);
   }
 
-  // Where a slope is steady: whether, to the neighbouring dots, s leaves its tangent by so little, eps, that eps times what L - t |N|
-  // changes with s, times 2 L, is less than room.
+  // Where the slope is steady: whether, to the neighbouring dots, s leaves its tangent by so little, eps, that 2 L eps times what
+  // L - t |N| changes with s is less than room (in 2^24).
   //   s'' = K / s^3, K = D0 D2 - D1^2 / 4. |s'| <= s / 16 and |D2| <= s^2 / 9 make D >= 4 (|D'| + |D2|), so neighbours have
-  //   s >= sqrt(3/4) of here, and eps, half of the largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by |m| + |v| at
-  //   most, so 2 L (|m| + |v|) K <= room s^3 is enough.
-  // `room` is in units of 2^24.
+  //   s >= sqrt(3/4) of here, and eps, half of the largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by
+  //   |m| + |v| at most, so 2 L (|m| + |v|) K <= room s^3 is enough.
   [[nodiscard, gnu::always_inline]] bool straight(const LitDot& dot, std::int32_t room) const {
     const std::uint32_t s = static_cast<std::uint32_t>(dot.s) << 2;
     const std::uint32_t cube = high_product(high_product(s, s), s);  // of s 2^-30, 32 bits of fraction
@@ -171,13 +172,15 @@ class LineSection {
     // The rest: a square is rounded by less than 2^-32, its two products by less than 1 each.
     return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (light.n2 >> 32) + 4};
   }
+  void load(const RootSurface& f, int light_bits, std::int32_t x, std::int32_t y);
+  void prepare_slopes();
+  void prepare_errors();
   [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
 
+  std::int32_t middle_, half_;
+  int half_bits_, tau_shift_;
   LinePolynomial d_, q_, r_, l_;
   std::int32_t m_ = 0;
-  std::int32_t middle_ = 0, half_ = 0;
-  int half_bits_ = 0;
-  int tau_shift_ = 0;
   int slope_shift_ = 0;                // d_slope_ in 2^slope_shift
   ShortPolynomial d_slope_, q_slope_;  // of the latter a unit is 2^28
   ShortPolynomial short_q_, short_r_, short_l_;

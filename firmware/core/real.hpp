@@ -90,6 +90,7 @@ class Real {
     const bool odd = (e_ & 1) != 0;
     const std::int64_t v = odd ? m_ >> 1 : m_;
     const std::int64_t r = isqrt(static_cast<std::uint64_t>(v));
+    // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): r >= 2^29, as v >= 2^59
     const std::int64_t s = (r << 31) + ((v - r * r) << 30) / r;
     return normalised(s, error_ + 4, (e_ + (odd ? 1 : 0) - 62) / 2);
   }
@@ -105,7 +106,7 @@ class Real {
   }
   // The least b with |value| < 2^b.
   [[nodiscard]] constexpr int bits() const {
-    return e_ + std::bit_width(magnitude(m_) + static_cast<std::uint64_t>(error_));
+    return e_ + static_cast<int>(std::bit_width(magnitude(m_) + static_cast<std::uint64_t>(error_)));
   }
 
  private:
@@ -119,8 +120,8 @@ class Real {
   }
   // To 62 bits, as far as the error stays below 2^32. |m| < 2^63, error < 2^62.
   static constexpr Real normalised(std::int64_t m, std::int64_t error, int e) {
-    const int m_bits = std::bit_width(magnitude(m));
-    const int error_bits = std::bit_width(static_cast<std::uint64_t>(error));
+    const int m_bits = static_cast<int>(std::bit_width(magnitude(m)));
+    const int error_bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(error)));
     if (m == 0 && error == 0) return {};
     const int down = std::max({0, m_bits - 62, error_bits - 31});
     if (down > 0) return Real(m >> down, (error >> down) + 2, e + down);

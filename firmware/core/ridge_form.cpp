@@ -48,8 +48,8 @@ Course course_of(const std::array<int, 5>& signs) {
 
 int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
 
-// The sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to 1/4 in l and m: light and square may be scaled at will, D as s
-// is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
+// The sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to 1/4 in l and m: light and square may be scaled at will,
+// D as s is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
 RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()) {
   const int hb = line.half_bits();
   const Terms d(line.discriminant(), hb);

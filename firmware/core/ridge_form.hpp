@@ -2,14 +2,15 @@
 //   With I = L / |N|, the sign of dI/dx is that of s (2 L' |N|^2 - L (|N|^2)'), where s' = D' / 2 s and s^2 = D:
 //     beta  = 2 l' q - l q' + m (D' r / 2 - r' D)                          linear: the squares of x cancel
 //     alpha = D (2 l' r - l r') + D' (m q - l r / 2) - m q' D              quadratic: the cubes cancel
-//   From a to b the section s^2 = D is a rational Bezier arc with the control points A, T, B, where T is the pole of the chord:
-//   with P = D0 + D1 (a + b) / 2 + D2 a b the polar form and delta = P - s_a s_b, T = s_b A + s_a B + (0, delta, 0) in homogeneous
-//   (x, s, 1), and the product of A's and B's weights is 2 (P + s_a s_b) for T as it is. w is of second degree in (x, s, 1), so along the arc it is a
-//   quartic in Bernstein form, its coefficients up to positive factors
+//   From a to b the section s^2 = D is a rational Bezier arc with the control points A, T, B, where T is the pole of the chord.
+//   With P = D0 + D1 (a + b) / 2 + D2 a b the polar form and delta = P - s_a s_b, in homogeneous (x, s, 1)
+//     T = s_b A + s_a B + (0, delta, 0), and the product of A's and B's weights is 2 (P + s_a s_b).
+//   w is of second degree in (x, s, 1), so along the arc it is a quartic in Bernstein form, with the coefficients, up to
+//   positive factors,
 //     w_AA,  w_AT,  w_TT + (P + s_a s_b) w_AB,  w_TB,  w_BB
-//   It has no more roots between a and b than the coefficients have changes of sign, and as many or an even number fewer.
+//   It has no more roots between a and b than these have changes of sign, and as many or an even number fewer.
 // Units   tau = t 2^-half_bits in [-1, 1]; every quantity has 30 bits of fraction.
-// Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within ridge_error + |root's error| (below).
+// Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within form_error + the root's (ridge_form.cpp).
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
 #pragma once
 
@@ -37,6 +38,7 @@ class RidgeForm {
   explicit RidgeForm(const LineSection& line);
 
   [[nodiscard]] RidgeDot at(std::int32_t t, std::int32_t s, std::int32_t root_error) const;
+  [[nodiscard]] RidgeDot at(const LitDot& dot, std::int32_t root_error) const { return at(dot.t, dot.s, root_error); }
   // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 

@@ -89,7 +89,7 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   out.reach = static_cast<std::uint32_t>(std::min<std::int64_t>(reach_bits, 0xffffffff));
   out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
   out.sure = 6 + (150 >> (f - place_bits));
-  return good;
+  return good && out.radius <= (1 << 30) - 4;  // rho^2 stays under 2^60 with eta's error, as quick_root asks
 }
 
 // --- a span ---

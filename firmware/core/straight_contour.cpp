@@ -493,7 +493,7 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   }
   s.waited += dots;
   const FaceContours& face = *job.contours;
-  const bool crowded = 10 * face.runs > (face.by_dots ? 9 : 15) * face.dots;  // more entries than dots
+  const bool crowded = 20 * face.runs > (face.by_dots ? 19 : 80) * face.dots;  // too many entries to a dot
   if (s.waited < patience * dots || dots < least_dots || crowded) return false;
   s.waited = 0;
   if (!trace(job, y, x0, x1)) return false;
