@@ -72,7 +72,9 @@ TEST_F(Report, QuickHasFiguresAndNoWrongDotWhereNoneIsPromised) {
     EXPECT_GE(number(line.at("wrong_dots")), 0);
     if (line.at("renderer") != "Halfspace") continue;
     (void)number(line.at("ns_per_dot"));
-    if (valgrind_runs) EXPECT_GT(number(line.at("instructions_per_dot")), 0);
+    if (valgrind_runs) {
+      EXPECT_GT(number(line.at("instructions_per_dot")), 0);
+    }
     for (const ListedShader& shader : listed_shaders) {
       if (!shader.exact || line.at("shader") != shader.name) continue;
       EXPECT_EQ(line.at("wrong_dots"), "0") << name;
