@@ -226,7 +226,7 @@ bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<st
     if (!may_meet_in(cell)) continue;
     const auto longest =
         static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
-    if (n == meeting_cells || cell.half[longest] < least) return true;
+    if (n >= meeting_cells || cell.half[longest] < least) return true;
     for (const Cell& half : halves(cell, longest)) open.push_back(half);
   }
   return false;

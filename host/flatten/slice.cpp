@@ -33,7 +33,7 @@ Polynomial turns_of(const Section& s) {
 
 // The resultant in w.
 Polynomial meetings_of(const Section& s, const Section& t) {
-  const Polynomial bc = minus(times(s.b, t.c), times(t.b, s.c));
+  Polynomial bc = minus(times(s.b, t.c), times(t.b, s.c));
   if (sgn(s.a) == 0 && sgn(t.a) == 0) return bc;
   const Polynomial ac = minus(scaled(t.c, s.a), scaled(s.c, t.a));
   const Polynomial ab = minus(scaled(t.b, s.a), scaled(s.b, t.a));
