@@ -30,11 +30,13 @@ class BoundForm {
 
  private:
   BoundForm() = default;
+  void add_up();
 
   bool is_plane_ = false;
   std::array<std::array<double, 3>, 3> a_{};  // x a x + 2 g x + k
   std::array<double, 3> g_{};
   double k_ = 0;
+  double square_terms_ = 0, linear_terms_ = 0;  // sums of sizes where no coordinate is larger than 1
 };
 
 }  // namespace halfspace

@@ -197,34 +197,33 @@ class Search {
 
 class MeetingSearch {
  public:
-  explicit MeetingSearch(std::span<const std::optional<std::size_t>> families) : families_(families) {}
+  MeetingSearch(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families)
+      : forms_(forms), families_(families) {}
 
-  [[nodiscard]] bool finds(std::span<const BoundForm> forms, const Cell& whole) {
-    std::vector<Open> open{{whole, every(forms.size())}};
-    for (; !open.empty(); ++cells_) {
-      const Open outer = std::move(open.back());
-      open.pop_back();
-      const std::vector<std::uint32_t> doubtful = doubtful_in(forms, outer);
-      if (!has_two_families(doubtful)) continue;
-      const auto& h = outer.cell.half;
-      const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
-      if (cells_ >= meeting_cells || h[longest] < least_meeting) return true;
-      for (const Cell& half : halves(outer.cell, longest)) open.push_back({half, doubtful});
-    }
-    return false;
-  }
+  [[nodiscard]] bool finds(const Cell& whole) { return finds(whole, every(forms_.size())); }
 
  private:
-  // None where a half-space fails.
-  static std::vector<std::uint32_t> doubtful_in(std::span<const BoundForm> forms, const Open& open) {
+  [[nodiscard]] bool finds(const Cell& cell, const std::vector<std::uint32_t>& doubtful_around) {
+    if (fails(last_to_fail_, cell)) return false;
     std::vector<std::uint32_t> doubtful;
-    for (const std::uint32_t i : open.doubtful) {
-      const ValueRange range = forms[i].over(open.cell);
-      if (range.low > 0) return {};
+    doubtful.reserve(doubtful_around.size());
+    for (const std::uint32_t i : doubtful_around) {
+      const ValueRange range = forms_[i].over(cell);
+      if (range.low > 0) {
+        last_to_fail_ = i;
+        return false;
+      }
       if (!(range.high < 0)) doubtful.push_back(i);
     }
-    return doubtful;
+    if (!has_two_families(doubtful)) return false;
+    const auto& h = cell.half;
+    const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
+    if (++cells_ > meeting_cells || h[longest] < least_meeting) return true;
+    const std::array<Cell, 2> parts = halves(cell, longest);
+    return finds(parts[0], doubtful) || finds(parts[1], doubtful);
   }
+
+  [[nodiscard]] bool fails(std::uint32_t form, const Cell& cell) const { return forms_[form].over(cell).low > 0; }
 
   [[nodiscard]] bool has_two_families(const std::vector<std::uint32_t>& forms) const {
     std::optional<std::size_t> first;
@@ -236,7 +235,9 @@ class MeetingSearch {
     return false;
   }
 
+  std::span<const BoundForm> forms_;
   std::span<const std::optional<std::size_t>> families_;
+  std::uint32_t last_to_fail_ = 0;  // a good guess for the next cell
   int cells_ = 0;
 };
 
@@ -256,13 +257,12 @@ std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell&
 }
 
 bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families) {
-  MeetingSearch search(families);
-  if (search.finds(forms, {{0, 0, 0}, {1, 1, 1}})) return true;
+  if (MeetingSearch(forms, families).finds({{0, 0, 0}, {1, 1, 1}})) return true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1, 1}) {
       std::vector<BoundForm> far;
       for (const BoundForm& form : forms) far.push_back(form.towards(axis, sign));
-      if (search.finds(far, {{0, 0, 0.5}, {1, 1, 0.5}})) return true;
+      if (MeetingSearch(far, families).finds({{0, 0, 0.5}, {1, 1, 0.5}})) return true;
     }
   }
   return false;
