@@ -24,10 +24,19 @@ class BoundForm {
   explicit BoundForm(const RealHalfSpace& shape);
   [[nodiscard]] ValueRange over(const Cell& cell) const;
 
+  // Far away: of (x', y', t) it has the sign that this form has of x / t, where the point x is `sign` along `axis` and (x', y') along the
+  // two axes after it. t = 0 is infinity.
+  [[nodiscard]] BoundForm towards(std::size_t axis, double sign) const;
+
  private:
+  BoundForm() = default;
+  void add_up();
+
+  bool is_plane_ = false;
   std::array<std::array<double, 3>, 3> a_{};  // x a x + 2 g x + k
   std::array<double, 3> g_{};
   double k_ = 0;
+  double square_terms_ = 0, linear_terms_ = 0;  // sums of sizes where no coordinate is larger than 1
 };
 
 }  // namespace halfspace

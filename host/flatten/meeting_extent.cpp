@@ -14,7 +14,6 @@ constexpr int form_bits = 110;    // of coefficients in the body's frame
 constexpr int outward_bits = 80;  // 2^-80 of the terms, see above
 constexpr int end_bits = 60;
 constexpr int endless_bits = 30;
-constexpr int meeting_bits = 14;  // surfaces that come closer than 2^-14 of what is told may meet
 constexpr int least_bits =
     24;  // a frame is no smaller than 2^-24 of what is told: then 2^-80 of its terms is more than 113 bits lose
 
@@ -36,6 +35,15 @@ RealHalfSpace signed_shape(const Side& side) {
   if (side.complement) {
     for (Real& v : h.c) v = -v;
   }
+  return h;
+}
+
+// Of x with the form's own coordinates unit x; of the same size about x = 1.
+RealHalfSpace in_units(const RealHalfSpace& shape, Real unit) {
+  RealHalfSpace h = shape;
+  const bool is_plane = h.kind == HalfSpaceKind::plane;
+  for (std::size_t i = is_plane ? 3 : 6; i < (is_plane ? 4 : 9); ++i) h.c[i] = h.c[i] / unit;
+  if (!is_plane) h.c[9] = h.c[9] / (unit * unit);
   return h;
 }
 
@@ -272,15 +280,14 @@ bool quadrics_may_meet(std::span<const Side> sides) {
     if (side.family) families.insert(*side.family);
   }
   if (families.size() < 2) return false;
+  const Real unit = 2 * power_above(size_told(sides));
   std::vector<BoundForm> forms;
   std::vector<std::optional<std::size_t>> families_of;
   for (const Side& side : sides) {
-    forms.emplace_back(signed_shape(side));
+    forms.emplace_back(in_units(signed_shape(side), unit));
     families_of.push_back(side.family);
   }
-  const auto told = static_cast<double>(power_above(size_told(sides)));
-  const double reach = std::ldexp(told, endless_bits);
-  return may_meet(forms, families_of, {{0, 0, 0}, {reach, reach, reach}}, std::ldexp(told, -meeting_bits));
+  return may_meet(forms, families_of);
 }
 
 Extent meeting_extent(std::span<const Side> sides, Real slack) {

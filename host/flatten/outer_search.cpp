@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numeric>
 #include <queue>
 
 namespace halfspace {
 namespace {
 
-constexpr int few_cells = 150;        // in one step of the search for the part with the body
-constexpr int many_cells = 1500;      // in one that fails with few
-constexpr int meeting_cells = 20000;  // in the search for meetings
-constexpr int most_cells = 300;       // of a plane
-constexpr int most_steps = 200;       // each shrinks some side by a quarter: 2^60 in all
-constexpr int most_halvings = 600;    // of a search outwards
+constexpr int few_cells = 150;             // in one step of the search for the part with the body
+constexpr int many_cells = 1500;           // in one that fails with few
+constexpr int meeting_cells = 20000;       // in the search for meetings
+constexpr double least_meeting = 0x1p-16;  // surfaces that come closer may meet
+constexpr int most_cells = 300;            // of a plane
+constexpr int most_steps = 200;            // each shrinks some side by a quarter: 2^60 in all
+constexpr int most_halvings = 600;         // of a search outwards
 constexpr double shrunk = 0.76;
 
 // An open box and the forms whose sign is not the same all over it.
@@ -23,6 +25,12 @@ struct Open {
   double top = 0;
 };
 bool operator<(const Open& a, const Open& b) { return a.top < b.top; }
+
+std::vector<std::uint32_t> every(std::size_t count) {
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
 
 bool may_hold(std::span<const BoundForm> forms, const Cell& cell) {
   return std::none_of(forms.begin(), forms.end(), [&](const BoundForm& f) { return f.over(cell).low > 0; });
@@ -122,9 +130,7 @@ class Search {
   Search(std::span<const BoundForm> forms, std::size_t axis, double sign) : forms_(forms), axis_(axis), sign_(sign) {}
 
   Outermost run(const Cell& whole, double slack) {
-    Open first{whole, {}, 0};
-    for (std::uint32_t i = 0; i < forms_.size(); ++i) first.doubtful.push_back(i);
-    offer(std::move(first));
+    offer({whole, every(forms_.size())});
     for (int n = 0; n < most_halvings && is_open(slack); ++n) {
       const Open outer = open_.top();
       open_.pop();
@@ -140,7 +146,7 @@ class Search {
   void halve(const Open& open) {
     const auto& h = open.cell.half;
     const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
-    for (const Cell& half : halves(open.cell, longest)) offer({half, open.doubtful, 0});
+    for (const Cell& half : halves(open.cell, longest)) offer({half, open.doubtful});
   }
 
   void offer(Open open) {
@@ -189,6 +195,52 @@ class Search {
   Outermost result_;
 };
 
+class MeetingSearch {
+ public:
+  MeetingSearch(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families)
+      : forms_(forms), families_(families) {}
+
+  [[nodiscard]] bool finds(const Cell& whole) { return finds(whole, every(forms_.size())); }
+
+ private:
+  [[nodiscard]] bool finds(const Cell& cell, const std::vector<std::uint32_t>& doubtful_around) {
+    if (fails(last_to_fail_, cell)) return false;
+    std::vector<std::uint32_t> doubtful;
+    doubtful.reserve(doubtful_around.size());
+    for (const std::uint32_t i : doubtful_around) {
+      const ValueRange range = forms_[i].over(cell);
+      if (range.low > 0) {
+        last_to_fail_ = i;
+        return false;
+      }
+      if (!(range.high < 0)) doubtful.push_back(i);
+    }
+    if (!has_two_families(doubtful)) return false;
+    const auto& h = cell.half;
+    const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
+    if (++cells_ > meeting_cells || h[longest] < least_meeting) return true;
+    const std::array<Cell, 2> parts = halves(cell, longest);
+    return finds(parts[0], doubtful) || finds(parts[1], doubtful);
+  }
+
+  [[nodiscard]] bool fails(std::uint32_t form, const Cell& cell) const { return forms_[form].over(cell).low > 0; }
+
+  [[nodiscard]] bool has_two_families(const std::vector<std::uint32_t>& forms) const {
+    std::optional<std::size_t> first;
+    for (const std::uint32_t i : forms) {
+      if (!families_[i]) continue;
+      if (first && *first != *families_[i]) return true;
+      first = families_[i];
+    }
+    return false;
+  }
+
+  std::span<const BoundForm> forms_;
+  std::span<const std::optional<std::size_t>> families_;
+  std::uint32_t last_to_fail_ = 0;  // a good guess for the next cell
+  int cells_ = 0;
+};
+
 }  // namespace
 
 std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly) {
@@ -204,30 +256,14 @@ std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell&
   return cell;
 }
 
-bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families, const Cell& whole,
-              double least) {
-  const auto may_meet_in = [&](const Cell& cell) {
-    std::optional<std::size_t> first;
-    bool has_two = false;
-    for (std::size_t i = 0; i < forms.size(); ++i) {
-      if (!families[i]) continue;
-      const ValueRange range = forms[i].over(cell);
-      if (range.low > 0) return false;
-      if (range.high < 0) continue;
-      has_two = has_two || (first && *first != *families[i]);
-      first = families[i];
+bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families) {
+  if (MeetingSearch(forms, families).finds({{0, 0, 0}, {1, 1, 1}})) return true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double sign : {-1, 1}) {
+      std::vector<BoundForm> far;
+      for (const BoundForm& form : forms) far.push_back(form.towards(axis, sign));
+      if (MeetingSearch(far, families).finds({{0, 0, 0.5}, {1, 1, 0.5}})) return true;
     }
-    return has_two && may_hold(forms, cell);
-  };
-  std::vector<Cell> open{whole};
-  for (int n = 0; !open.empty(); ++n) {
-    const Cell cell = open.back();
-    open.pop_back();
-    if (!may_meet_in(cell)) continue;
-    const auto longest =
-        static_cast<std::size_t>(std::max_element(cell.half.begin(), cell.half.end()) - cell.half.begin());
-    if (n == meeting_cells || cell.half[longest] < least) return true;
-    for (const Cell& half : halves(cell, longest)) open.push_back(half);
   }
   return false;
 }

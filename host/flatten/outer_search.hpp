@@ -19,9 +19,9 @@ namespace halfspace {
 // The part of `whole` that the body can be in; none where there is no body. `thoroughly`: with more trouble before it is left as it is.
 [[nodiscard]] std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly);
 
-// Can two forms of different families (none: not asked) vanish in one point of the body? Yes, if boxes no larger than `least` do not tell.
-[[nodiscard]] bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families,
-                            const Cell& whole, double least);
+// Can two forms of different families (none: not asked) vanish in one point of the body, anywhere? Yes, if small boxes do not tell.
+// The body is best of about size 1: what lies beyond is searched by its directions and the inverse of its distance.
+[[nodiscard]] bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families);
 
 using Meeting = std::vector<std::uint32_t>;  // up to three forms that may vanish together, ascending
 

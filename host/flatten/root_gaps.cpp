@@ -7,13 +7,6 @@ namespace {
 
 std::size_t bits_of(const mpz_class& v) { return mpz_sizeinbase(v.get_mpz_t(), 2); }
 
-// All real roots are within +-2^bits (Cauchy).
-int bits_of_bound(const Polynomial& f) {
-  std::size_t most = 0;
-  for (const mpz_class& c : f) most = std::max(most, bits_of(c));
-  return static_cast<int>(most) - static_cast<int>(bits_of(f.back())) + 2;
-}
-
 // In the open interval (at, at + 1) / 2^shift.
 int changes_within(const Polynomial& f, const mpz_class& at, int shift) {
   if (shift >= 0) return sign_changes(f, at, at + 1, static_cast<unsigned>(shift));
@@ -60,17 +53,6 @@ void RootGaps::Root::halve() {
 
 RootGaps::RootGaps(const std::vector<Polynomial>& all, const mpz_class& low, const mpz_class& high)
     : low_(low), high_(high) {
-  find(all);
-}
-
-RootGaps::RootGaps(const std::vector<Polynomial>& all) {
-  int bits = 1;
-  for (const Polynomial& f : all) {
-    const Polynomial g = trimmed(f);
-    if (!g.empty()) bits = std::max(bits, bits_of_bound(g) + 1);
-  }
-  high_ = mpz_class(1) << static_cast<unsigned>(bits + position_bits);
-  low_ = -high_;
   find(all);
 }
 

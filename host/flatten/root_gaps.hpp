@@ -24,8 +24,6 @@ class RootGaps {
  public:
   // Of the polynomials that are not zero, between two positions. They must outlive this.
   RootGaps(const std::vector<Polynomial>& all, const mpz_class& low, const mpz_class& high);
-  // On the whole line.
-  explicit RootGaps(const std::vector<Polynomial>& all);
 
   // Gap i lies between clusters i - 1 and i; the first begins, and the last ends, at the end of the range.
   [[nodiscard]] std::size_t count() const { return clusters_.size() + 1; }

@@ -33,7 +33,7 @@ Polynomial turns_of(const Section& s) {
 
 // The resultant in w.
 Polynomial meetings_of(const Section& s, const Section& t) {
-  const Polynomial bc = minus(times(s.b, t.c), times(t.b, s.c));
+  Polynomial bc = minus(times(s.b, t.c), times(t.b, s.c));
   if (sgn(s.a) == 0 && sgn(t.a) == 0) return bc;
   const Polynomial ac = minus(scaled(t.c, s.a), scaled(s.c, t.a));
   const Polynomial ab = minus(scaled(t.b, s.a), scaled(s.b, t.a));
@@ -45,11 +45,17 @@ struct Span {
 };
 using Spans = std::vector<Span>;
 
-// Further than any root.
+// The section is searched where |v| and |w| are no larger than this, far outside the body's frame. Beyond, the noise of coefficients
+// (2^-105) grows with the square of the distance, and a plane taken twice opens into a wedge.
+constexpr int window = 16;
+
 const mpz_class& far() {
-  static const mpz_class position = mpz_class(1) << 20000U;
+  static const mpz_class position = mpz_class(window) << position_bits;
   return position;
 }
+
+// Vanishes where the conic crosses the window's side at w.
+Polynomial side_of(const Section& s, int w) { return plus(plus(s.c, scaled(s.b, w)), {s.a * w * w}); }
 
 void append(Spans& spans, mpz_class low, mpz_class high) { spans.push_back({std::move(low), std::move(high)}); }
 
@@ -118,9 +124,10 @@ bool meets_plane(std::span<const SliceForm> forms, const Dyadic& u) {
   std::vector<Polynomial> marks;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     marks.push_back(turns_of(sections[i]));
+    for (const int w : {-window, window}) marks.push_back(side_of(sections[i], w));
     for (std::size_t j = 0; j < i; ++j) marks.push_back(meetings_of(sections[i], sections[j]));
   }
-  const RootGaps gaps(marks);
+  const RootGaps gaps(marks, -far(), far());
   for (std::size_t i = 0; i < gaps.count(); ++i) {
     if (!gaps.is_empty(i) && meets_line(sections, gaps.inside(i))) return true;
   }

@@ -18,6 +18,7 @@ struct SliceForm {
   std::array<mpz_class, 10> q;
 };
 
+// Has the body a point there, as far as |v| and |w| are no larger than 16?
 [[nodiscard]] bool meets_plane(std::span<const SliceForm> forms, const Dyadic& u);
 
 }  // namespace halfspace

@@ -261,7 +261,7 @@ double climb(const RandomMeeting& body, std::vector<std::array<double, 3>> point
 
 TEST(MeetingExtent, HoldsAndTouchesRandomBodies) {
   int ends = 0, touched = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     const RandomMeeting random(seed);
     const Extent extent = extent_of(random.sides);
     EXPECT_FALSE(extent.unbounded) << seed;
@@ -281,8 +281,6 @@ TEST(MeetingExtent, HoldsAndTouchesRandomBodies) {
         EXPECT_LE(reached, end + 1e-12) << "seed " << seed << " axis " << axis << " sign " << sign;
         ++ends;
         touched += reached > end - .02 ? 1 : 0;
-        if (reached <= end - .02)
-          std::printf("seed %d axis %zu sign %g: %.6f < %.6f\n", int(seed), axis, sign, reached, end);
       }
     }
   }
