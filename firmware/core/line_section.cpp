@@ -53,9 +53,7 @@ std::uint64_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part
 
 // In units of 2^unit. The terms at tau = 1 are up to 2 and 4 times those at the ends.
 ShortPolynomial shortened(const LinePolynomial& p, int half_bits, int unit) {
-  const auto cut = [](std::int64_t v, int shift) {
-    return static_cast<std::int32_t>(shift >= 0 ? v >> shift : v * (1LL << -shift));
-  };
+  const auto cut = [](std::int64_t v, int shift) { return static_cast<std::int32_t>(shifted_down(v, shift)); };
   return {cut(p.v0, unit), cut(p.v1, unit + 2 - half_bits), cut(p.v2, unit + 3 - 2 * half_bits)};
 }
 
@@ -70,8 +68,8 @@ ShortPolynomial slope_of(const LinePolynomial& p, int half_bits, int unit) {
 // (exponent > 0) such that their error stays under one unit.
 LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
     : middle_(x0 + (x1 - x0) / 2),
-      half_(x1 - middle_),
-      half_bits_(std::max<int>(1, std::bit_width(static_cast<std::uint32_t>(half_)))),
+      half_(std::max<std::int32_t>(1, x1 - middle_)),
+      half_bits_(static_cast<int>(std::bit_width(static_cast<std::uint32_t>(half_)))),
       tau_shift_(31 - half_bits_) {
   load(job.face.surface, job.table.light_bits, middle_ - job.face.origin_x, y - job.face.origin_y);
   prepare_slopes();
@@ -121,7 +119,7 @@ void LineSection::prepare_slopes() {
   l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
   const auto m = static_cast<std::uint32_t>(magnitude(m_));
   const std::uint64_t bend = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
-  const std::uint64_t curved = std::min(9 * magnitude(d_.v2) + 1, (std::uint64_t{1} << 60) - 1);
+  const std::uint64_t curved = std::clamp<std::uint64_t>(9 * magnitude(d_.v2), 1, (std::uint64_t{1} << 60) - 1);
   bend_ = static_cast<std::uint32_t>(bend);
   sloped_from_ = half_ < shortest_half ? never : 1 << std::max(20, slope_shift_);
   steady_from_ = bend >> 32 != 0 ? never : std::max<std::int32_t>(1 << 24, quick_root(curved) + 64);

@@ -34,6 +34,10 @@ struct LinePolynomial {
 };
 
 constexpr std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
+// v 2^-shift, rounded down.
+constexpr std::int64_t shifted_down(std::int64_t v, int shift) {
+  return shift >= 0 ? v >> shift : v * (std::int64_t{1} << std::min(-shift, 62));
+}
 constexpr std::uint32_t high_product(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>(std::uint64_t{a} * b >> 32);
 }
@@ -160,7 +164,7 @@ class LineSection {
     // 1 / s = inverse 2^(zeros - 62): a division for 15 bits, Newton's step for 29
     const int zeros = std::countl_zero(static_cast<std::uint32_t>(s));
     const std::uint32_t top = static_cast<std::uint32_t>(s) << zeros;
-    const std::uint32_t guess = ~0U / (top >> 16);
+    const std::uint32_t guess = ~0U / (top >> 16 | 1U << 15);
     const auto rest = static_cast<std::int32_t>((1U << 31) - high_product(top, guess << 15));
     const std::int32_t inverse =
         static_cast<std::int32_t>(guess << 14) + (static_cast<std::int32_t>(guess) * (rest >> 2) >> 15);

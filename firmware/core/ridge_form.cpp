@@ -12,7 +12,7 @@ constexpr std::int32_t form_error =
 // Product of two numbers of 30 bits of fraction.
 std::int32_t times(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::int64_t{a} * b >> 30); }
 
-int bits(std::uint64_t v) { return std::bit_width(v); }
+int bits(std::uint64_t v) { return static_cast<int>(std::bit_width(v)); }
 int sure_sign(std::int64_t value, std::int64_t error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
 // A polynomial in tau: its terms at tau = 1.
@@ -22,7 +22,7 @@ struct Terms {
   Terms(const LinePolynomial& p, int half_bits) : c{p.v0, p.v1 * (1LL << half_bits), p.v2 * (1LL << 2 * half_bits)} {}
   [[nodiscard]] std::uint64_t size() const { return magnitude(c[0]) + magnitude(c[1]) + magnitude(c[2]); }
   [[nodiscard]] std::int32_t cut(int i, int shift) const {
-    return static_cast<std::int32_t>(shift >= 0 ? c[i] >> shift : c[i] * (1LL << -shift));
+    return static_cast<std::int32_t>(shifted_down(c[i], shift));
   }
 };
 
@@ -70,8 +70,7 @@ RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()
   const std::int32_t r1 = r.cut(1, q_shift + 2 - root_shift_);
   const std::int32_t l0 = l.cut(0, l_shift);
   const std::int32_t l1 = l.cut(1, l_shift);
-  const auto m = static_cast<std::int32_t>(l_shift >= root_shift_ ? m28 >> (l_shift - root_shift_)
-                                                                  : m28 * (1LL << (root_shift_ - l_shift)));
+  const auto m = static_cast<std::int32_t>(shifted_down(m28, l_shift - root_shift_));
   // 2 l' r - l r' = e + l1 r1 tau,  l r = p0 + p1 tau + l1 r1 tau^2
   const std::int32_t l0r1 = times(l0, r1);
   const std::int32_t l1r0 = times(l1, r0);
