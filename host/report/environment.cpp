@@ -3,7 +3,6 @@
 #include <array>
 #include <ctime>
 #include <fstream>
-#include <regex>
 
 #include "host/report/child.hpp"
 
@@ -18,17 +17,22 @@ std::string processor() {
   return "unknown";
 }
 
-// The first group that `pattern` finds in what the program says.
-std::string version(const std::vector<std::string>& words, const char* pattern) {
+// What follows `mark` in what the program says, as far as `letters` go.
+std::string version(const std::vector<std::string>& words, const std::string& mark,
+                    const char* letters = "0123456789.-") {
   if (!has_program(words[0])) return "missing";
   const std::string said = run_child(words).output;
-  std::smatch found;
-  return std::regex_search(said, found, std::regex(pattern)) ? found[1].str() : "unknown";
+  const std::size_t at = said.find(mark);
+  if (at == std::string::npos) return "unknown";
+  const std::size_t from = at + mark.size();
+  std::string found = said.substr(from, said.find_first_not_of(letters, from) - from);
+  while (found.ends_with('.')) found.pop_back();  // "3.7.0.10.unofficial"
+  return found.empty() ? "unknown" : found;
 }
 
 std::string commit() {
   const std::string tree = HALFSPACE_SOURCE_DIR;
-  const std::string id = version({"git", "-C", tree, "rev-parse", "--short", "HEAD"}, "^([0-9a-f]+)\n");
+  const std::string id = version({"git", "-C", tree, "rev-parse", "--short", "HEAD"}, "", "0123456789abcdef");
   const bool changed = !run_child({"git", "-C", tree, "diff", "--quiet", "HEAD", "--", ".", ":!docs/report"}).ok();
   return id + (changed ? " with changes" : "");
 }
@@ -48,10 +52,10 @@ Environment read_environment() {
           .compiler = "g++ " __VERSION__,
           .commit = commit(),
           .date = date(),
-          .povray = version({"povray", "--version"}, "POV-Ray ([0-9.]+[0-9])"),
-          .raster3d = version({"render", "-version"}, "Raster3D +V?([0-9.-]+)"),
-          .valgrind = version({"valgrind", "--version"}, "valgrind-([0-9.]+)"),
-          .qemu = version({"qemu-system-arm", "--version"}, "version ([0-9.]+)")};
+          .povray = version({"povray", "--version"}, "POV-Ray "),
+          .raster3d = version({"render", "-version"}, "Raster3D "),
+          .valgrind = version({"valgrind", "--version"}, "valgrind-"),
+          .qemu = version({"qemu-system-arm", "--version"}, "version ")};
 }
 
 }  // namespace halfspace

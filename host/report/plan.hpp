@@ -39,7 +39,7 @@ struct Plan {
   plan.balls_page = plan.atoms_page = {48, 48, 65};
   plan.atoms = 20;
   plan.resolver_atoms = {10};
-  plan.runs = 3;
+  plan.runs = 1;
   plan.board = false;
   return plan;
 }
