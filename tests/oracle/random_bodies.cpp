@@ -1,5 +1,6 @@
 #include "tests/oracle/random_bodies.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -206,6 +207,30 @@ void shuffle(Dice& dice, RandomBody& body) {
   for (std::size_t i = body.size(); i > 1; --i) std::swap(body[i - 1], body[dice.below(static_cast<std::int64_t>(i))]);
 }
 
+// Is a point of the lattice of halves inside, and on no surface?
+bool has_room(const RandomBody& body, const BodyWish& wish) {
+  RandomBody doubled = body;
+  for (RandomHalfSpace& h : doubled) {
+    const std::size_t first = h.quadric ? 6 : 3;
+    for (std::size_t i = first; i < (h.quadric ? 9 : 4); ++i) h.c[i] *= 2;
+    if (h.quadric) h.c[9] *= 4;
+  }
+  const auto holds = [&doubled](const Point& p) {
+    return std::all_of(doubled.begin(), doubled.end(), [&p](const RandomHalfSpace& h) {
+      return h.complement ? value_at(h, p) > 0 : value_at(h, p) < 0;
+    });
+  };
+  const std::int64_t reach = 2 * wish.span;
+  for (std::int64_t x = -reach; x <= reach; ++x) {
+    for (std::int64_t y = -reach; y <= reach; ++y) {
+      for (std::int64_t z = -reach; z <= reach; ++z) {
+        if (holds({2 * wish.centre[0] + x, 2 * wish.centre[1] + y, 2 * wish.centre[2] + z})) return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 RandomBody random_body(Dice& dice, const BodyWish& wish) {
@@ -238,7 +263,7 @@ RandomBody random_body(Dice& dice, const BodyWish& wish) {
   return body;
 }
 
-RandomBody random_meeting_body(Dice& dice, const BodyWish& wish) {
+RandomBody meeting_body_of_any_size(Dice& dice, const BodyWish& wish) {
   RandomBody body;
   for (std::int64_t n = dice.between(2, 4); n > 0; --n) {
     BodyWish aside = wish;
@@ -253,6 +278,13 @@ RandomBody random_meeting_body(Dice& dice, const BodyWish& wish) {
   }
   shuffle(dice, body);
   return body;
+}
+
+RandomBody random_meeting_body(Dice& dice, const BodyWish& wish) {
+  for (;;) {
+    RandomBody body = meeting_body_of_any_size(dice, wish);
+    if (!wish.bounded || has_room(body, wish)) return body;
+  }
 }
 
 RandomBody mate_of(Dice& dice, RandomBody body) {

@@ -33,7 +33,8 @@ struct BodyWish {
 
 RandomBody random_body(Dice& dice, const BodyWish& wish);
 
-// Two to four quadrics that do meet, mostly within one that bounds them, and up to two planes.
+// Two to four quadrics that do meet, mostly within one that bounds them, and up to two planes. A bounded one has some room inside:
+// what is no thicker than a number that is moved by 1e-8 shows nowhere on a picture that is fitted to it.
 RandomBody random_meeting_body(Dice& dice, const BodyWish& wish);
 
 // The body with one half-space turned round: it mates with the first along that face.
