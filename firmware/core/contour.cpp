@@ -7,9 +7,8 @@ ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) return ContourKind::none;
   if (has_sphere_contours(job)) return ContourKind::sphere;
   if (!has_straight_contours(job)) return ContourKind::general;
-  if (!job.contours->block.empty()) return ContourKind::straight;
-  ++job.counters.crowded_faces;
-  return ContourKind::general;
+  if (job.contours->block.empty()) ++job.counters.crowded_faces;
+  return ContourKind::straight;
 }
 
 // Costs on a Cortex-M3, in hundreds of instructions (docs/contours.md): a span of n dots with r runs takes
@@ -30,7 +29,8 @@ bool shade_by(const ShadeJob& job, bool general, std::int32_t y, std::int32_t x0
     case ContourKind::sphere:
       return sphere_contour(job, y, x0, x1) || (general && general_contour(job, y, x0, x1));
     case ContourKind::straight:
-      return straight_contour(job, y, x0, x1) || (general && general_contour(job, y, x0, x1));
+      return straight_contour(job, y, x0, x1) ||
+             (general && !is_kinked(job.face, y) && general_contour(job, y, x0, x1));
     default:
       return general && general_contour(job, y, x0, x1);
   }

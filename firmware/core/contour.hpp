@@ -32,6 +32,8 @@ struct FaceContours {
 // Whether the face is of the kind; sphere_contour's registers are made on the way.
 [[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
 [[nodiscard]] bool has_straight_contours(const ShadeJob& job);
+// Whether line y of a face with straight contours goes through its apex: D is a square there, its root has a corner and |N| a zero.
+[[nodiscard]] bool is_kinked(const ActiveFace& face, std::int32_t y);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);

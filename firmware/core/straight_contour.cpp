@@ -484,6 +484,7 @@ class StraightSpan {
 
 bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   StraightContours& s = job.contours->straight;
+  if (job.contours->block.empty()) return false;
   const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
   StraightSpan span(job, y, x0, x1);
   if (span.is_usable()) {
@@ -501,6 +502,14 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   if (!traced.is_usable()) return false;
   traced.paint();
   return true;
+}
+
+bool is_kinked(const ActiveFace& face, std::int32_t y) {
+  using Int = Wide<256>;
+  const ScaledQuadratic& d = face.surface.discriminant;
+  const std::int32_t local = y - face.origin_y;
+  const Int slope(d.q[1].times(local) + d.q[3]);
+  return slope * slope == (Int(d.q[0]) * Int(d.at(0, local))) << 2;
 }
 
 bool has_straight_contours(const ShadeJob& job) { return is_ruled(job.face.surface); }
