@@ -173,11 +173,11 @@ class SphereSpan {
   template <bool begins, bool ends>
   [[nodiscard]] Interval* find(std::int32_t k, std::int32_t count, Interval* out) const {
     const std::int32_t step = begins == is_dark() ? -1 : 1;
-    for (;;) {
+    while (count > 0) {
       const std::int32_t found = find_plain<begins, ends>(k, count, out);
       out += found;
       count -= found;
-      if (count == 0) return out;
+      if (count == 0) break;
       k += found * step;
       const Crossing at = crossing(k);
       if (at.error < 0 && begins && ends) return out;
@@ -188,13 +188,17 @@ class SphereSpan {
       --count;
       k += step;
     }
+    return out;
   }
 
   // The same as far as ends are certain: the loop that most of a sphere's time goes to, without a call.
   template <bool begins, bool ends>
   [[nodiscard, gnu::noinline]] std::int32_t find_plain(std::int32_t k, std::int32_t count, Interval* out) const {
-    std::int64_t bar = bar_of(k);
-    const std::int64_t bar_step = (begins == is_dark() ? -c_.bar_slope : c_.bar_slope) * job_.lighting.unit;
+    // Unsigned: where a step is more than all the light there is no second level, and the step may wrap.
+    auto bar = static_cast<std::uint64_t>(bar_of(k));
+    const auto unit = static_cast<std::uint64_t>(job_.lighting.unit);
+    const std::uint64_t bar_step =
+        static_cast<std::uint64_t>(begins == is_dark() ? -c_.bar_slope : c_.bar_slope) * unit;
     const std::int32_t unsure = 2 * c_.sure;
     const std::int32_t base = base_ + c_.sure + one_dot - 1;
     const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;

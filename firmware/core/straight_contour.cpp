@@ -290,7 +290,7 @@ class StraightSpan {
     const std::int64_t down = y - s_.line;
     const std::int64_t scale = (std::int64_t{1} << 24) + (s_.spread * down >> 22);
     const std::int64_t base = (std::int64_t{s_.first} << s_.part_bits) + (s_.slope * down >> (32 - s_.part_bits));
-    is_near_ = s_.length > 0 && scale >= 1 << 16 && scale <= 1 << 25 && base > -(1 << 29) && base < 1 << 29;
+    is_near_ = s_.length > 0 && scale >= 1 << 22 && scale <= 1 << 25 && base > -(1 << 29) && base < 1 << 29;
     scale_ = static_cast<std::uint32_t>(scale);
     base_ = static_cast<std::int32_t>(base);
     widen_ = scale > 1 << 24 ? 1 : 0;
@@ -301,7 +301,7 @@ class StraightSpan {
   [[nodiscard]] bool is_usable() const {
     if (!is_near_ || x1_ - x0_ >= 2 * longest_half) return false;
     const std::int32_t last = base_ + upper(static_cast<std::uint32_t>(s_.length) << (s_.part_bits + 8));
-    return x0_ << s_.part_bits >= base_ - place_error && x1_ << s_.part_bits <= last + place_error;
+    return x0_ << s_.part_bits >= base_ + place_error && x1_ << s_.part_bits <= last - place_error;
   }
 
   void paint() {
