@@ -61,6 +61,8 @@ for scene in ball.uq "$root/scenes/tube.uq" "$root/tests/board/ties.uq"; do
   check "$name" 0 1 isqrt
   check "$name" 1 1 jordan
   check "$name" 2 8 stride with-stride
+  check "$name" 3 1 contour
+  check "$name" 4 1 auto
   check "$name" A2 1 isqrt
   check "$name" A4 1 isqrt
 done
