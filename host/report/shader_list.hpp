@@ -16,14 +16,10 @@ struct ListedShader {
 };
 
 inline constexpr std::array listed_shaders{
-    ListedShader{"auto", Shader::automatic, 1, true},
-    ListedShader{"contour", Shader::contour, 1, true},
-    ListedShader{"isqrt", Shader::isqrt, 1, true},
-    ListedShader{"jordan", Shader::jordan, 1, true},
-    ListedShader{"stride 4", Shader::stride, 4, false},
-    ListedShader{"stride 8", Shader::stride, 8, false},
-    ListedShader{"stride 16", Shader::stride, 16, false},
-    ListedShader{"stride 32", Shader::stride, 32, false},
+    ListedShader{"auto", Shader::automatic, 1, true},     ListedShader{"contour", Shader::contour, 1, true},
+    ListedShader{"isqrt", Shader::isqrt, 1, true},        ListedShader{"jordan", Shader::jordan, 1, true},
+    ListedShader{"stride 4", Shader::stride, 4, false},   ListedShader{"stride 8", Shader::stride, 8, false},
+    ListedShader{"stride 16", Shader::stride, 16, false}, ListedShader{"stride 32", Shader::stride, 32, false},
 };
 
 // Of pages without bodies, where all do the same, and of the baselines' pictures: any exact one.

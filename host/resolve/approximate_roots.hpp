@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "host/flatten/interval.hpp"
 #include "host/algebra/polynomial.hpp"
+#include "host/flatten/interval.hpp"
 
 namespace halfspace {
 

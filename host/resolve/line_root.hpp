@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-#include "host/flatten/interval.hpp"
 #include "host/algebra/polynomial.hpp"
+#include "host/flatten/interval.hpp"
 #include "host/resolve/resolved_scene.hpp"
 
 namespace halfspace {
