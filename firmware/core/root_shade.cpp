@@ -30,12 +30,12 @@ struct Registers {
   std::int64_t m;          // 30 bits of fraction
 
   void step() {
-    d += d1;
-    d1 += d2;
-    q += q1;
-    q1 += q2;
-    r += r1;
-    l += l1;
+    add(d, d1);
+    add(d1, d2);
+    add(q, q1);
+    add(q1, q2);
+    add(r, r1);
+    add(l, l1);
   }
   void skip(std::int32_t t) {
     skip(d, d1, d2, t);
@@ -50,6 +50,10 @@ struct Registers {
   }
 
  private:
+  // Modulo 2^64: on a short span a second difference, not used, may not fit.
+  static void add(std::int64_t& a, std::int64_t b) {
+    a = static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+  }
   static void skip(std::int64_t& value, std::int64_t& first, std::int64_t second, std::int32_t t) {
     auto v = static_cast<std::uint64_t>(value);
     auto f = static_cast<std::uint64_t>(first);

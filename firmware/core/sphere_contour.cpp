@@ -101,7 +101,7 @@ class SphereSpan {
     const std::int64_t up = y - job.face.origin_y - c.middle;
     eta_ = static_cast<std::int32_t>((c.eta_slope * up + c.eta_at) >> 16);
     centre_ = (c.centre_slope * up + c.centre_at) >> 16;
-    chord_ = static_cast<std::int64_t>(c.radius - eta_) * (c.radius + eta_);
+    chord_ = (std::int64_t{c.radius} - eta_) * (std::int64_t{c.radius} + eta_);
     const auto chord = static_cast<std::uint64_t>(chord_);
     reach_ = static_cast<std::int64_t>((chord >> 32) * c.reach + ((chord & 0xffffffffU) * c.reach >> 32));
     lift_ = static_cast<std::int32_t>(static_cast<std::int64_t>(c.c) * eta_ >> 30);
