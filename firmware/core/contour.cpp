@@ -6,6 +6,7 @@ namespace {
 ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) return ContourKind::none;
   if (has_sphere_contours(job)) return ContourKind::sphere;
+  if (has_wide_coefficients(job.face)) return ContourKind::none;
   if (!has_straight_contours(job)) return ContourKind::general;
   if (job.contours->block.empty()) ++job.counters.crowded_faces;
   return ContourKind::straight;

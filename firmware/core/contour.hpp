@@ -32,6 +32,8 @@ struct FaceContours {
 // Whether the face is of the kind; sphere_contour's registers are made on the way.
 [[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
 [[nodiscard]] bool has_straight_contours(const ShadeJob& job);
+// Whether they take more than 80 bits: then neither the above nor the next can be told.
+[[nodiscard]] bool has_wide_coefficients(const ActiveFace& face);
 // Whether line y of a face with straight contours goes through its apex: D is a square there, its root has a corner and |N| a zero.
 [[nodiscard]] bool is_kinked(const ActiveFace& face, std::int32_t y);
 

@@ -12,11 +12,11 @@ constexpr std::int32_t one_dot = 1 << place_bits;
 
 // --- a face's registers ---
 
-// value 2^bits where that is known to within a unit, as is its floor then to within two.
+// floor(value 2^bits) where that is known to within `error` units.
 template <class T>
-bool put(T& out, const Real& value, int bits) {
+bool put(T& out, const Real& value, int bits, std::int64_t error = 2) {
   out = static_cast<T>(value.fixed(bits));
-  return value.error_of(bits) <= 2;
+  return value.error_of(bits) <= error;
 }
 
 bool all_zero(std::span<const Wide<128>> coefficients) {
@@ -82,7 +82,7 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const bool good =
       put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
       put(out.centre_slope, o.shear, f + 16) && put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
-      put(out.bar_slope, radial / Real(most), f + 32) && put(out.level_slope, per_level / radial, 48 - f) &&
+      put(out.bar_slope, radial / Real(most), f + 32, 64) && put(out.level_slope, per_level / radial, 48 - f) &&
       put(out.radius, radial, f) && put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30) &&
       put(reach_bits, reach, 32) && put(out.alpha, a / reach, 32 + place_bits - f) &&
       put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);

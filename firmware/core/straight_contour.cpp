@@ -19,36 +19,55 @@ constexpr std::uint32_t patience = 3;      // a trace costs some lines shaded ot
 
 // --- the face ---
 
-using Determinant = Wide<384>;  // three coefficients of less than 123 bits, and three bits for the sum
+// D before anything was rounded: from coefficients of c bits, its own have at most 2c + 2, and its values 34 more.
+constexpr int most_coefficient_bits = 80;
+using Coefficient = Wide<256>;
+using Product = Wide<512>;  // of three, and three bits for a sum
 
-bool is_ruled(const RootSurface& s) {
-  if (s.discriminant.exponent != 0) return false;
-  Determinant d[6];
-  for (int i = 0; i < 6; ++i) d[i] = Determinant(s.discriminant.q[static_cast<std::size_t>(i)]);
-  Determinant sum = (d[0] * d[2] * d[5]) << 2;
-  sum += d[1] * d[3] * d[4];
-  sum -= d[0] * d[4] * d[4];
-  sum -= d[2] * d[3] * d[3];
-  sum -= d[5] * d[1] * d[1];
-  return sum.is_zero();
+struct Outline {
+  Coefficient q[6];
+
+  explicit Outline(const ActiveFace& f) {
+    const auto product = [&f](int i, int j) { return Coefficient(f.c[i]) * Coefficient(f.c[j]); };
+    q[0] = product(5, 5) - product(2, 0);
+    q[1] = (product(5, 4) - product(2, 3)) << 1;
+    q[2] = product(4, 4) - product(2, 1);
+    q[3] = (product(5, 8) - product(2, 6)) << 1;
+    q[4] = (product(4, 8) - product(2, 7)) << 1;
+    q[5] = product(8, 8) - product(2, 9);
+  }
+  [[nodiscard]] Product product(int i, int j) const { return Product(q[i]) * Product(q[j]); }
+  [[nodiscard]] Product product(int i, int j, int k) const { return product(i, j) * Product(q[k]); }
+  // 0 where rulings are parallel; the common point's y times it is pole().
+  [[nodiscard]] Product spread() const { return (product(0, 2) << 2) - product(1, 1); }
+  [[nodiscard]] Product pole() const { return product(1, 3) - (product(0, 4) << 1); }
+  [[nodiscard]] bool is_outside(std::int32_t x, std::int32_t y) const {
+    const Coefficient d = (q[0].times(x) + q[1].times(y) + q[3]).times(x) + (q[2].times(y) + q[4]).times(y) + q[5];
+    return d.negative();
+  }
+};
+
+bool is_ruled(const ActiveFace& face) {
+  const Outline d(face);
+  const Product twice = (d.product(0, 2, 5) << 2) + d.product(1, 3, 4);
+  return twice == d.product(0, 4, 4) + d.product(2, 3, 3) + d.product(5, 1, 1);
 }
 
 // Slope and spread of the lines through the rulings' common point as seen from a dot of the face's frame; false where they run
 // along the scan line, or come too near to that for the fixed point.
-bool aim(const RootSurface& s, std::int32_t x, std::int32_t y, StraightContours& out) {
+bool aim(const Outline& outline, std::int32_t x, std::int32_t y, StraightContours& out) {
   Real d[6];
-  for (int i = 0; i < 6; ++i) d[i] = Real(s.discriminant.q[static_cast<std::size_t>(i)], 0);
-  const auto& q = s.discriminant.q;
+  for (int i = 0; i < 6; ++i) d[i] = Real(outline.q[i], 0);
   const Real two_d0 = d[0] + d[0];
   Real slope;
   Real spread;
-  const Wide<256> parallel = ((Wide<256>(q[0]) * Wide<256>(q[2])) << 2) - Wide<256>(q[1]) * Wide<256>(q[1]);
+  const Product parallel = outline.spread();
   if (parallel.is_zero()) {
-    if (q[0].is_zero()) return false;
+    if (outline.q[0].is_zero()) return false;
     slope = -d[1] / two_d0;
   } else {
     const Real w(parallel, 0);
-    spread = w / (Real(y) * w - (d[1] * d[3] - two_d0 * d[4]));
+    spread = w / (Real(y) * w - Real(outline.pole(), 0));
     slope = (Real(x) - (d[1] * d[4] - (d[2] + d[2]) * d[3]) / w) * spread;
   }
   out.slope = slope.fixed(32);
@@ -252,13 +271,13 @@ class Trace {
 };
 
 // The farthest dot from x towards `limit` up to which the face has points on the line; where D is convex, x.
-std::int32_t end_of_face(const ActiveFace& face, std::int32_t y, std::int32_t x, std::int32_t limit) {
-  const ScaledQuadratic& d = face.surface.discriminant;
-  if (d.q[0].sign() > 0) return x;
-  std::int32_t outside = limit + (limit > x ? 1 : -1);
-  while (outside - x > 1 || x - outside > 1) {
-    const std::int32_t middle = x + (outside - x) / 2;
-    (d.at(middle - face.origin_x, y - face.origin_y).negative() ? outside : x) = middle;
+std::int32_t end_of_face(const Outline& outline, const ActiveFace& face, std::int32_t y, std::int32_t x,
+                         std::int32_t limit) {
+  if (outline.q[0].sign() > 0) return x;
+  std::int32_t beyond = limit + (limit > x ? 1 : -1);
+  while (beyond - x > 1 || x - beyond > 1) {
+    const std::int32_t middle = x + (beyond - x) / 2;
+    (outline.is_outside(middle - face.origin_x, y - face.origin_y) ? beyond : x) = middle;
   }
   return x;
 }
@@ -266,11 +285,12 @@ std::int32_t end_of_face(const ActiveFace& face, std::int32_t y, std::int32_t x,
 bool trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   StraightContours& out = job.contours->straight;
   out.length = 0;
-  const std::int32_t from = end_of_face(job.face, y, x0, x0 - reach_beyond);
-  const std::int32_t to = end_of_face(job.face, y, x1, x1 + reach_beyond);
+  const Outline outline(job.face);
+  const std::int32_t from = end_of_face(outline, job.face, y, x0, x0 - reach_beyond);
+  const std::int32_t to = end_of_face(outline, job.face, y, x1, x1 + reach_beyond);
   if (to == from || to - from >= 2 * longest_half) return false;
   const bool traced =
-      aim(job.face.surface, from - 1 - job.face.origin_x, y - job.face.origin_y, out) && Trace(job, y, from, to).run();
+      aim(outline, from - 1 - job.face.origin_x, y - job.face.origin_y, out) && Trace(job, y, from, to).run();
   if (!traced) out.length = 0;
   return traced;
 }
@@ -504,14 +524,19 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   return true;
 }
 
-bool is_kinked(const ActiveFace& face, std::int32_t y) {
-  using Int = Wide<256>;
-  const ScaledQuadratic& d = face.surface.discriminant;
-  const std::int32_t local = y - face.origin_y;
-  const Int slope(d.q[1].times(local) + d.q[3]);
-  return slope * slope == (Int(d.q[0]) * Int(d.at(0, local))) << 2;
+bool has_wide_coefficients(const ActiveFace& face) {
+  return std::any_of(face.c.begin(), face.c.end(),
+                     [](const Wide<128>& c) { return c.bit_length() > most_coefficient_bits; });
 }
 
-bool has_straight_contours(const ShadeJob& job) { return is_ruled(job.face.surface); }
+// The rulings' common point lies on the line; of parallel rulings, which have none, D is a square on every line or on none.
+bool is_kinked(const ActiveFace& face, std::int32_t y) {
+  const Outline d(face);
+  const Product spread = d.spread();
+  if (spread.is_zero()) return d.product(3, 3) == d.product(0, 5) << 2;
+  return spread.times(y - face.origin_y) == d.pole();
+}
+
+bool has_straight_contours(const ShadeJob& job) { return is_ruled(job.face); }
 
 }  // namespace halfspace

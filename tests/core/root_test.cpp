@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/core/isqrt.hpp"
+#include "firmware/core/quick_root.hpp"
 #include "firmware/core/root_walk.hpp"
 #include "tests/core/numbers.hpp"
 
@@ -75,6 +76,35 @@ void expect_within(std::int64_t units, std::int64_t s, std::int64_t d) {
   ASSERT_GE(s, 0);
   ASSERT_LE(low * abs(low), exact) << "s " << s << " D " << d;
   ASSERT_GE(high * high, exact) << "s " << s << " D " << d;
+}
+
+TEST(QuickRoot, IsWithinThree) {
+  Dice dice(10);
+  for (int i = 0; i < 500000; ++i) {
+    const auto v = static_cast<std::int64_t>(std::max<std::uint64_t>(dice() >> between(dice, 4, 63), 1));
+    expect_within(3, quick_root(static_cast<std::uint64_t>(v)), v);
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Each entry of the table, at both ends of what it serves.
+TEST(QuickRoot, IsWithinItsErrorAroundEveryTableEntry) {
+  for (std::int64_t i = 16; i < 256; ++i) {
+    for (const std::int64_t edge : {i << 52, ((i + 1) << 52) - 1, (i << 52) + (std::int64_t{1} << 51)}) {
+      expect_within(3, quick_root(static_cast<std::uint64_t>(edge)), edge);
+      expect_within(4, quick_large_root(static_cast<std::uint64_t>(edge)), edge);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(QuickRoot, OfLargeNumbersIsWithinFour) {
+  Dice dice(11);
+  for (int i = 0; i < 500000; ++i) {
+    const std::int64_t v = between(dice, std::int64_t{1} << 56, (std::int64_t{1} << 60) - 1);
+    expect_within(4, quick_large_root(static_cast<std::uint64_t>(v)), v);
+    if (HasFatalFailure()) return;
+  }
 }
 
 TEST(RootWalk, StaysWithinItsTolerance) {
