@@ -149,6 +149,16 @@ TEST(MeetingExtent, TouchingSpheresLeaveAPoint) {
   expect_box(body({ball, ball_at(2, 0, 0, 1)}), {1, 1, 0, 0, 0, 0}, 1e-5);
 }
 
+// A cone and a quadric that meet in a solid below z = 0, and touch in (1/2, -1/2, 1): gradients (-2, -2, -2) and (8, 8, 8) there.
+TEST(MeetingExtent, PointOfTouchBesideASolid) {
+  const Extent extent = extent_of(body({{28, 12, 4, -12, -4, 4, -20, 20, -4, 20},
+                                        {2, 2, -1, 0, 0, 0, -2, 0, 0, 2},
+                                        {-4, -16, -16, -8, -16, -8, -14, -46, -37, -112}}));
+  ASSERT_FALSE(extent.empty || extent.unbounded);
+  EXPECT_NEAR(static_cast<double>(extent.box.high[2]), 1, 1e-9);
+  EXPECT_LT(extent.box.low[2], -3);
+}
+
 TEST(MeetingExtent, OneBallInsideTheOther) { expect_box(body({ball, ball_at(.25, 0, 0, 3)}), {-1, 1, -1, 1, -1, 1}); }
 
 TEST(MeetingExtent, ApartIsEmpty) { EXPECT_TRUE(extent_of(body({ball, ball_at(2.001, 0, 0, 1)})).empty); }
