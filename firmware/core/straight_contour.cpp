@@ -172,7 +172,7 @@ class Trace {
     out_.length = to - from + 2;
     out_.entries = 0;
     out_.part_bits = static_cast<std::uint8_t>(
-        std::min<int>(most_part_bits, 24 - std::bit_width(static_cast<std::uint32_t>(out_.length))));
+        std::min(most_part_bits, 24 - static_cast<int>(std::bit_width(static_cast<std::uint32_t>(out_.length)))));
   }
   // False where the block is too short.
   bool run() {
