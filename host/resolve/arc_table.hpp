@@ -23,6 +23,7 @@ struct ArcName {
   bool guided = false;  // then `curve` counts the guides, and `rank` their roots on a line
   std::uint32_t rank = 0;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): the zero is in what the compiler writes
   friend auto operator<=>(const ArcName&, const ArcName&) = default;
 };
 
