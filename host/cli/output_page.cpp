@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t patience_ms = 30000;
 
-// Passes bands on and, on a terminal, tells how far the page has come; silent in a pipe.
+// Passes bands on and, on a terminal, tells how far the page has come, from the first band on; silent in a pipe.
 class ProgressSink final : public BandSink {
  public:
   ProgressSink(BandSink& next, std::int32_t height, bool show) : next_(next), height_(height), show_(show) {}
@@ -36,7 +36,7 @@ class ProgressSink final : public BandSink {
 
   void tell(std::int32_t lines) {
     const Clock::time_point now = Clock::now();
-    if (now - last_ < std::chrono::milliseconds(200)) return;
+    if (shown_ && now - last_ < std::chrono::milliseconds(200)) return;
     last_ = now;
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     fmt::print(stderr, "\r\x1b[Kscan line {} of {}, {:.0f} s left", lines, height_,
