@@ -19,7 +19,8 @@ struct Plan {
   std::vector<PageSize> hard{{64, 64, 65}, {190, 161, 17}, {190, 161, 65}, {190, 161, 256}};
   std::vector<int> dots_per_inch{100, 200, 300, 600, 1200};
   int side_inches = 4;  // of the square page that dots_per_inch is for
-  PageSize povray_page{2112, 1700, 65}, balls_page{2000, 2000, 65}, atoms_page{1200, 1200, 65};
+  PageSize povray_page{2112, 1700, 65};
+  std::vector<PageSize> raster3d_pages{{2000, 2000, 65}, {4000, 4000, 65}};
   int atoms = 4000;
   std::vector<int> resolver_atoms{1000, 3000, 10000};
   int runs = 5;
@@ -36,7 +37,7 @@ struct Plan {
   plan.hard = {{17, 17, 17}};
   plan.dots_per_inch = {8, 16};
   plan.povray_page = {64, 51, 65};
-  plan.balls_page = plan.atoms_page = {48, 48, 65};
+  plan.raster3d_pages = {{48, 48, 65}};
   plan.atoms = 20;
   plan.resolver_atoms = {10};
   plan.runs = 1;

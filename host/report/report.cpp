@@ -38,8 +38,8 @@ class Reporter {
     resolution("gear");
     beside_povray("clover_knot");
     beside_povray("gear");
-    beside_raster3d("30 balls and rods", balls_and_sticks(), plan_.balls_page);
-    beside_raster3d(fmt::format("{} atoms", plan_.atoms), space_filling(plan_.atoms), plan_.atoms_page);
+    beside_raster3d("30 balls and rods", balls_and_sticks());
+    beside_raster3d(fmt::format("{} atoms", plan_.atoms), space_filling(plan_.atoms));
     found_.floor_ns = page_floor_ns(plan_.povray_page, plan_.runs);
     resolver();
     if (plan_.board) beside_baselines();
@@ -125,12 +125,14 @@ class Reporter {
     add_other(picture, truth, why);
   }
 
-  void beside_raster3d(const std::string& name, const Molecule& molecule, const PageSize& size) {
-    const Truth truth = add({"whole", name, as_uniquadrix(molecule)}, size, true);
-    std::string why;
-    tell(name + " by Raster3D");
-    const auto picture = draw_by_raster3d(molecule, asked(size), why);
-    add_other(picture, truth, why);
+  void beside_raster3d(const std::string& name, const Molecule& molecule) {
+    for (const PageSize& size : plan_.raster3d_pages) {
+      const Truth truth = add({"whole", name, as_uniquadrix(molecule)}, size, true);
+      std::string why;
+      tell(name + " by Raster3D");
+      const auto picture = draw_by_raster3d(molecule, asked(size), why);
+      add_other(picture, truth, why);
+    }
   }
 
   void resolver() {

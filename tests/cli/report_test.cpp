@@ -83,7 +83,7 @@ TEST_F(Report, QuickHasFiguresAndNoWrongDotWhereNoneIsPromised) {
   EXPECT_EQ(rows["POV-Ray "], 2);
   EXPECT_EQ(rows["Raster3D "], 2);
   EXPECT_EQ(suites.size(), 4U);
-  EXPECT_NE(text("new/report/README.md").find("| clover_knot | POV-Ray |"), std::string::npos);
+  EXPECT_NE(text("new/report/README.md").find("| clover_knot | 64 x 51 | POV-Ray | contour |"), std::string::npos);
   EXPECT_NE(text("new/report/error.svg").find("</svg>"), std::string::npos);
   EXPECT_EQ(text("new/report/README.md").find("Left out"), std::string::npos) << outcome.err;
   EXPECT_NE(text("new/report/instructions.svg").find("</svg>"), std::string::npos);
