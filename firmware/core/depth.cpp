@@ -4,7 +4,6 @@
 
 #include "firmware/core/exact.hpp"
 #include "firmware/core/isqrt.hpp"
-#include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
 namespace {
@@ -25,7 +24,6 @@ Approximate leading(const Wide<Bits>& value) {
 }
 
 constexpr DepthSample unrepresentable{0, -1};
-constexpr std::int64_t largest_depth = std::int64_t{1} << 46;  // 2^30 dots: sums of four stay inside 64 bits
 
 // n / d in dots, fixed point. The denominator keeps 31 bits, so the quotient is good to one part in 2^29.
 template <int Bits>
@@ -64,15 +62,42 @@ DepthSample rational_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) 
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
-// start + slope t over 0 <= t <= length stays below 2^bits.
-int linear_bits(std::int32_t length, const Wide<128>& start, const Wide<128>& slope) {
-  return std::max(start.bit_length(), length == 0 ? 0 : slope.bit_length() + bits_of(length)) + 1;
+DepthSample in_page(DepthSample local, const ActiveFace& face) {
+  constexpr std::int64_t most = largest_depth >> depth_fraction;
+  if (local.error < 0 || face.origin_z > most || -face.origin_z > most) return unrepresentable;
+  local.z += face.origin_z * (std::int64_t{1} << depth_fraction);
+  return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
 }
 
-// d0 + d1 t + d2 t^2 there: it is nowhere farther than |d2| length^2 / 4 from its chord.
-int quadratic_bits(std::int32_t length, const Wide<128>& d0, const Wide<128>& d1, const Wide<128>& d2) {
-  const Wide<128> end = (d2.times(length) + d1).times(length) + d0;
-  return std::max({d0.bit_length(), end.bit_length(), d2.bit_length() + 2 * bits_of(length) - 2}) + 1;
+// Whole dots of page depth between which a face lies.
+struct Range {
+  std::int32_t low, high;
+};
+
+// Between its ends and its middle a face lies within the chords' strips (depth.hpp). Produced by the other half's length and a part in
+// `shorter`, a chord rises by no more than it does there, and that part: halves differ by a dot.
+Range range_of(const DepthLine& line, std::int32_t a, std::int32_t b) {
+  constexpr Range unknown{INT32_MIN, INT32_MAX};
+  const std::int32_t shorter = (b - a) / 2;
+  const DepthSample middle = line.at(a + shorter);
+  std::int64_t low = middle.z;
+  std::int64_t high = middle.z;
+  std::int64_t error = middle.error;
+  if (error < 0) return unknown;
+  for (const std::int32_t x : {a, b}) {
+    const DepthSample end = line.at(x);
+    if (end.error < 0) return unknown;
+    error = std::max(error, end.error);
+    const std::int64_t rise = end.z - middle.z;
+    const std::int64_t produced = shorter == 0 ? 0 : -(rise + (rise >> (bits_of(shorter) - 1)));
+    low = std::min({low, end.z, middle.z + produced});
+    high = std::max({high, end.z, middle.z + produced});
+  }
+  low -= 5 * error + 1;  // that of a value produced by twice its length, and of the shift
+  high += 5 * error + 1;
+  constexpr std::int64_t most = std::int64_t{INT32_MAX} << depth_fraction;
+  if (low < -most || high > most) return unknown;
+  return {static_cast<std::int32_t>(low >> depth_fraction), static_cast<std::int32_t>(-(-high >> depth_fraction))};
 }
 
 // Whether both faces are sheets of one surface and the same one of them: then they tie on every dot. Their polynomials are
@@ -110,98 +135,46 @@ Strip strip(std::int64_t end, std::int64_t middle, std::int64_t other, std::int3
 
 }  // namespace
 
-void make_inverse(ActiveFace& face) {
-  const int bits = face.c[2].bit_length();
-  face.inverse =
-      static_cast<std::uint32_t>((std::uint64_t{1} << 61) / static_cast<std::uint64_t>(scaled(face.c[2], bits - 31)));
-  face.inverse_exponent = static_cast<std::int16_t>(bits + 30);
-}
-
-DepthLine::DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b)
-    : face_(face), y_(y - face.origin_y), a_(a), b_(b) {
-  if (face.kind == FaceKind::root) load_root(a - face.origin_x, y_, b - a);
-  if (face.kind == FaceKind::plane) load_plane(a - face.origin_x, y_, b - a);
-}
-
-// A unit is 2^unit of the face's own; -b stays below 2^30 units.
-void DepthLine::load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit) {
-  start_ = -scaled(start, unit - 16);
-  if (length > 0) slope_ = -scaled(slope, unit - 16);
-  const int up = unit - face_.inverse_exponent + depth_fraction;
-  shift_ = static_cast<std::int16_t>(std::min(-up, 63));
-  error_ = shift_ < 0 ? -1 : (std::int64_t{4} * face_.inverse >> shift_) + 3;
-}
-
-void DepthLine::load_plane(std::int32_t x, std::int32_t y, std::int32_t length) {
-  const Wide<128> start = face_.c[0].times(x) + face_.c[1].times(y) + face_.c[3];
-  load_numerator(length, start, face_.c[0], linear_bits(length, start, face_.c[0]) - 30);
-}
-
-void DepthLine::load_root(std::int32_t x, std::int32_t y, std::int32_t length) {
-  const ScaledQuadratic& form = face_.surface.discriminant;
-  d2_ = form.q[0];
-  d1_ = form.q[0].times(2 * x) + form.q[1].times(y) + form.q[3];
-  d0_ = form.at(x, y);
-  const Wide<128> start = face_.c[5].times(x) + face_.c[4].times(y) + face_.c[8];
-  const int exponent = form.exponent / 2;
-  // A rounded D must be off by less than a unit of what is kept.
-  const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
-  root_shift_ = static_cast<std::int16_t>(std::max({(quadratic_bits(length, d0_, d1_, d2_) - 59) >> 1, least,
-                                                    linear_bits(length, start, face_.c[5]) - 30 - exponent}));
-  load_numerator(length, start, face_.c[5], root_shift_ + exponent);
+DepthLine::DepthLine(const ActiveFace& face, std::int32_t y) : face_(face), y_(y - face.origin_y) {
+  const DepthBlock& k = face.block;
+  const std::int32_t s = y - k.y0;
+  b_ = k.b + k.by * s;
+  d_ = k.d + part(k.dy + k.dyy * s, s, k.y_bits);
+  dx_ = k.dx + k.dxy * s;
 }
 
 DepthSample DepthLine::at(std::int32_t x) const {
-  if (face_.kind == FaceKind::rational) return in_page(rational_depth(face_, x - face_.origin_x, y_));
-  if (error_ < 0) return unrepresentable;
-  const std::int32_t t = x - a_;
-  std::int64_t units = (start_ + slope_ * t) >> 16;
+  if (face_.kind == FaceKind::rational) return in_page(rational_depth(face_, x - face_.origin_x, y_), face_);
+  const DepthBlock& k = face_.block;
+  if (k.error < 0) return unrepresentable;
+  const std::int32_t t = x - k.x0;
+  std::int64_t units = -((b_ + k.bx * t) >> 16);
+  std::int64_t error = k.error;
   if (face_.kind == FaceKind::root) {
-    const std::int64_t d = scaled((d2_.times(t) + d1_).times(t) + d0_, 2 * root_shift_);
-    units += face_.sheet * static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(d, 0))));
+    const std::int64_t d = d_ + part(dx_ + k.dxx * t, t, k.x_bits);
+    const auto root = static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(d, 0))));
+    if (root < k.shallow) error = k.shallow_error;
+    units += face_.sheet * root;
   }
-  const std::int64_t z = (units * face_.inverse) >> shift_;
-  return in_page({z, error_ + ((z < 0 ? -z : z) >> 29)});
+  const std::int64_t z = (units * face_.inverse) >> k.shift;
+  return {z + face_.origin_z * (std::int64_t{1} << depth_fraction), error + ((z < 0 ? -z : z) >> 29)};
 }
 
-// Between its ends and its middle a face lies within the chords' strips (depth.hpp). Produced by the other half's length and a part in
-// `shorter`, a chord rises by no more than it does there, and that part: halves differ by a dot.
-DepthRange DepthLine::range() const {
-  constexpr DepthRange unknown{INT32_MIN, INT32_MAX, -1, 0, -1};
-  const std::int32_t shorter = (b_ - a_) / 2;
-  const DepthSample middle = at(a_ + shorter);
-  std::int64_t low = middle.z;
-  std::int64_t high = middle.z;
-  std::int64_t error = middle.error;
-  if (error < 0) return unknown;
-  for (const std::int32_t x : {a_, b_}) {
-    const DepthSample end = at(x);
-    if (end.error < 0) return unknown;
-    error = std::max(error, end.error);
-    const std::int64_t rise = end.z - middle.z;
-    const std::int64_t produced = shorter == 0 ? 0 : -(rise + (rise >> (bits_of(shorter) - 1)));
-    low = std::min({low, end.z, middle.z + produced});
-    high = std::max({high, end.z, middle.z + produced});
-  }
-  low -= 5 * error + 1;  // that of a value produced by twice its length, and of the shift
-  high += 5 * error + 1;
-  constexpr std::int64_t most = std::int64_t{INT32_MAX} << depth_fraction;
-  if (low < -most || high > most) return unknown;
-  const auto ceiling = static_cast<std::int32_t>(-(-high >> depth_fraction));
-  return {static_cast<std::int32_t>(low >> depth_fraction), ceiling, -1, 0, -1};
-}
-
-DepthSample DepthLine::in_page(DepthSample local) const {
-  constexpr std::int64_t most = largest_depth >> depth_fraction;
-  if (local.error < 0 || local.z > largest_depth || -local.z > largest_depth) return unrepresentable;
-  if (face_.origin_z > most || -face_.origin_z > most) return unrepresentable;
-  local.z += face_.origin_z * (std::int64_t{1} << depth_fraction);
-  return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
+void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters) {
+  if (face.block.holds(y, a, b)) return;
+  if (face.kind != FaceKind::rational) return make_block(face, y, a, b);
+  counters.depth_samples += 3;
+  const Range range = range_of(DepthLine(face, y), a, b);
+  face.block.low = range.low;
+  face.block.high = range.high;
+  face.block.x0 = static_cast<std::int16_t>(a);
+  face.block.x1 = static_cast<std::int16_t>(b);
+  face.block.y0 = face.block.y1 = static_cast<std::int16_t>(y);
 }
 
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
                        const ExactModule& exact, Counters& counters)
-    : f_(f), g_(g), f_line_(f, y, a, b), g_line_(g, y, a, b), y_(y), exact_(exact), counters_(counters) {
+    : f_(f), g_(g), f_line_(f, y), g_line_(g, y), y_(y), exact_(exact), counters_(counters) {
   push(a, b, 0);
 }
 

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 
+#include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/face.hpp"
 
@@ -40,37 +41,25 @@ struct DepthSample {
   std::int64_t z = 0;
   std::int64_t error = 0;  // negative: not representable, ask exactly
 };
-inline constexpr int depth_fraction = 16;
 
-// Fills what a depth is divided by; a plane or a root face needs it once, when it enters. c2 > 0.
-void make_inverse(ActiveFace& face);
-
-// A face on dots a .. b of scan line y, where it exists.
-//   plane, root   z = (-b(t) + sheet sqrt(D(t))) / c2, t = x - a: what depends on y alone is computed once, and so is the error
+// A face on one line, where it exists. Planes and root faces need a block that holds it.
+//   plane, root   z = (-b + sheet sqrt(D)) / c2 by the block's forms
 //   rational      z = -c / (2 b), dot by dot
 class DepthLine {
  public:
-  DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
+  DepthLine(const ActiveFace& face, std::int32_t y);
   [[nodiscard]] DepthSample at(std::int32_t x) const;
-  // On all dots of the run: from three samples.
-  [[nodiscard]] DepthRange range() const;
 
  private:
-  void load_root(std::int32_t x, std::int32_t y, std::int32_t length);
-  void load_plane(std::int32_t x, std::int32_t y, std::int32_t length);
-  void load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit);
-  [[nodiscard]] DepthSample in_page(DepthSample local) const;
-
   const ActiveFace& face_;
-  std::int32_t y_, a_, b_;
-  std::int64_t start_ = 0, slope_ = 0;  // of -b, in 2^-16 units
-  Wide<128> d2_, d1_, d0_;              // D
-  std::int16_t root_shift_ = 0;         // D 2^-2root_shift is in squares of units
-  std::int16_t shift_ = 0;              // z = units * inverse >> shift
-  std::int64_t error_ = 0;
+  std::int32_t y_;                       // page, rational: local
+  std::int64_t b_ = 0, d_ = 0, dx_ = 0;  // the block's forms at its first dot of the line
 };
 
-// The order of two faces along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
+// Makes the face's block hold dots a .. b of line y. A rational face's bounds are from three samples and good for the line alone.
+void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters);
+
+// The order of two faces, whose blocks hold the run, along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {
  public:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
 #include "firmware/core/root_surface.hpp"
@@ -191,11 +192,9 @@ class Engine {
     ActiveFace& face = p_.faces[number];
     read_face(in_, type_, face);
     if (!has_depth(face)) return fail(DrawStatus::bad_record);
-    if (face.kind != FaceKind::rational) make_inverse(face);
+    make_depth(face);
     if (face.kind == FaceKind::plane) return;
-    const FaceModule* module = module_of(face.kind);
-    if (module == nullptr) return fail(DrawStatus::missing_module);
-    module->enter(face, h_.lighting);
+    if (module_of(face.kind) == nullptr) return fail(DrawStatus::missing_module);
     ++result_.counters.curved_faces;
     if (number < p_.contours.size()) {
       const std::size_t words = straight_block_words(h_.page.levels);
@@ -346,14 +345,17 @@ class Engine {
   }
 
   void shade_curved(const Span& span, std::int32_t y) {
-    const ActiveFace& face = p_.faces[span.face];
+    ActiveFace& face = p_.faces[span.face];
+    const FaceModule& module = *module_of(face.kind);
+    if (!face.ready) module.enter(face, h_.lighting);
+    face.ready = true;
     ShadeJob job{face, h_.lighting, levels_, exact_, painter_, result_.counters, options_.stride, nullptr, p_.scratch};
     if (span.face < p_.contours.size() && wants_contours()) {
       job.contours = &p_.contours[span.face];
     }
     const std::uint32_t runs = result_.counters.level_spans;
     if (job.contours == nullptr || !modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) {
-      module_of(face.kind)->shade(job, options_.shader, y, span.x0, span.x1);
+      module.shade(job, options_.shader, y, span.x0, span.x1);
     }
     if (job.contours == nullptr) return;
     job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);

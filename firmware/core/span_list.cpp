@@ -38,26 +38,14 @@ void SpanList::remove(std::uint16_t slot) {
   free_ = slot;
 }
 
-// Where a face lies over at least this stretch of the line; kept, as the cells and spans beside it ask again.
-const DepthRange& SpanList::range_of(const Stretch& stretch) {
+const DepthBlock& SpanList::block_of(const Stretch& stretch) {
   ActiveFace& face = faces_[stretch.face];
-  if (face.range.y == y_ && face.range.x0 <= stretch.x0 && stretch.x1 <= face.range.x1) return face.range;
-  face.range = DepthLine(face, y_, stretch.x0, stretch.x1).range();
-  counters_.depth_samples += 3;
-  face.range.y = static_cast<std::int16_t>(y_);
-  face.range.x0 = static_cast<std::int16_t>(stretch.x0);
-  face.range.x1 = static_cast<std::int16_t>(stretch.x1);
-  return face.range;
+  bound_depth(face, y_, stretch.x0, stretch.x1, counters_);
+  return face.block;
 }
 
-// Dots x0 .. x1, all covered by `old`'s face until now: the nearer of both, at once where their depths are apart, or piece by piece.
-bool SpanList::merge(const Stretch& cell, const Span& old, std::int32_t x0, std::int32_t x1) {
-  const std::uint16_t face = cell.face;
-  const std::uint16_t old_face = old.face;
-  const DepthRange& range = range_of(cell);
-  const DepthRange& old_range = range_of({old_face, old.x0, old.x1});
-  if (range.high < old_range.low) return add(face, x0, x1);
-  if (old_range.high < range.low) return add(old_face, x0, x1);
+// Dots x0 .. x1, all covered by the old face until now: the nearer of both, piece by piece.
+bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
   DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();
@@ -84,12 +72,19 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
       x0 = old.x0;
       continue;
     }
-    // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
-    remove(current);
-    if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
-    if (!merge(cell, old, x0, end)) return false;
-    if (end < old.x1) return add(old.face, end + 1, old.x1);
+    const DepthBlock& block = block_of(cell);
+    const DepthBlock& old_block = block_of({old.face, old.x0, old.x1});
+    if (old_block.high < block.low) {
+      last_ = current;
+    } else {
+      // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
+      const bool nearer = block.high < old_block.low;
+      remove(current);
+      if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
+      if (!(nearer ? add(face, x0, end) : contest(face, old.face, x0, end))) return false;
+      if (end < old.x1) return add(old.face, end + 1, old.x1);
+    }
     x0 = end + 1;
     current = old.next;
   }

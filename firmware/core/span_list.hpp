@@ -44,8 +44,8 @@ class SpanList {
     std::uint16_t face;
     std::int32_t x0, x1;
   };
-  [[nodiscard]] const DepthRange& range_of(const Stretch& stretch);
-  bool merge(const Stretch& cell, const Span& old, std::int32_t x0, std::int32_t x1);
+  [[nodiscard]] const DepthBlock& block_of(const Stretch& stretch);
+  bool contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1);
 
   std::span<Span> pool_;
   std::span<ActiveFace> faces_;

@@ -81,6 +81,7 @@ class Wide {
   friend constexpr Wide operator-(Wide a, const Wide& b) { return a -= b; }
   constexpr Wide operator-() const { return Wide() - *this; }
   friend constexpr Wide operator*(const Wide& a, const Wide& b) {
+    if constexpr (is_pair) return of_pair(a.pair() * b.pair());
     const bool negate = a.negative() != b.negative();
     const Wide product = multiply_magnitudes(a.magnitude(), b.magnitude());
     return negate ? -product : product;
