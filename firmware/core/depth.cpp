@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "firmware/core/exact.hpp"
-#include "firmware/core/isqrt.hpp"
+#include "firmware/core/quick_root.hpp"
 
 namespace halfspace {
 namespace {
@@ -152,7 +152,7 @@ DepthSample DepthLine::at(std::int32_t x) const {
   std::int64_t error = k.error;
   if (face_.kind == FaceKind::root) {
     const std::int64_t d = d_ + part(dx_ + k.dxx * t, t, k.x_bits);
-    const auto root = static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(d, 0))));
+    const std::int32_t root = d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
     if (root < k.shallow) error = k.shallow_error;
     units += face_.sheet * root;
   }
@@ -161,7 +161,6 @@ DepthSample DepthLine::at(std::int32_t x) const {
 }
 
 void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters) {
-  if (face.block.holds(y, a, b)) return;
   if (face.kind != FaceKind::rational) return make_block(face, y, a, b);
   counters.depth_samples += 3;
   const Range range = range_of(DepthLine(face, y), a, b);
@@ -188,6 +187,16 @@ DepthOrder::Pair DepthOrder::sample(std::int32_t x) {
   }
   counters_.depth_samples += 2;
   return {x, f_line_.at(x), g_line_.at(x)};
+}
+
+// Of both faces at a recent dot, the largest; negative where one is not known.
+std::int64_t DepthOrder::recent_error() const {
+  std::int64_t error = 0;
+  for (const Pair& pair : recent_) {
+    if (pair.f.error < 0 || pair.g.error < 0) return -1;
+    error = std::max(error, pair.f.error + pair.g.error);
+  }
+  return error;
 }
 
 int DepthOrder::winner(int sign) const {
@@ -232,13 +241,8 @@ bool DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
 }
 
 // -1: f nearer over the whole half run from `end` to recent_[1], +1: g, 0: cannot tell.
-int DepthOrder::nearer_half(const Pair& end, const Pair& other) const {
+int DepthOrder::nearer_half(const Pair& end, const Pair& other, std::int64_t error) const {
   const Pair& middle = recent_[1];
-  std::int64_t error = 0;
-  for (const Pair& pair : recent_) {
-    if (pair.f.error < 0 || pair.g.error < 0) return 0;
-    error = std::max(error, pair.f.error + pair.g.error);
-  }
   const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
   const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
   const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
@@ -253,10 +257,13 @@ int DepthOrder::nearer_half(const Pair& end, const Pair& other) const {
 // Settles the run's left half, or leaves both halves on the stack.
 bool DepthOrder::halve(const Run& run, Piece& piece) {
   const std::int32_t m = run.a + (run.b - run.a) / 2;
-  const Pair now[3] = {sample(run.a), sample(m), sample(run.b)};
-  std::copy(now, now + 3, recent_);
-  const int left = nearer_half(recent_[0], recent_[2]);
-  const int right = nearer_half(recent_[2], recent_[0]);
+  const Pair last = sample(run.b);
+  if (recent_[0].x != run.a) recent_[0] = sample(run.a);
+  recent_[1] = sample(m);
+  recent_[2] = last;
+  const std::int64_t error = recent_error();
+  const int left = error < 0 ? 0 : nearer_half(recent_[0], recent_[2], error);
+  const int right = error < 0 ? 0 : nearer_half(recent_[2], recent_[0], error);
   if (left == right && (left != 0 || one_surface())) {
     piece = {run.b, winner(left) < 0};
     return true;

@@ -59,6 +59,13 @@ class DepthLine {
 // Makes the face's block hold dots a .. b of line y. A rational face's bounds are from three samples and good for the line alone.
 void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters);
 
+// The same, at the cost of a look where it does already.
+[[nodiscard]] inline const DepthBlock& bounded(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b,
+                                               Counters& counters) {
+  if (!face.block.holds(y, a, b)) bound_depth(face, y, a, b, counters);
+  return face.block;
+}
+
 // The order of two faces, whose blocks hold the run, along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {
@@ -87,11 +94,12 @@ class DepthOrder {
   void push(std::int32_t a, std::int32_t b, int known);
   bool halve(const Run& run, Piece& piece);
   bool settle_by_ends(const Run& run, Piece& piece);
-  [[nodiscard]] int nearer_half(const Pair& end, const Pair& other) const;
+  [[nodiscard]] int nearer_half(const Pair& end, const Pair& other, std::int64_t error) const;
   [[nodiscard]] int winner(int sign) const;
   [[nodiscard]] int winner_at(std::int32_t x);
   [[nodiscard]] bool one_surface();
   [[nodiscard]] Pair sample(std::int32_t x);
+  [[nodiscard]] std::int64_t recent_error() const;
 
   const ActiveFace& f_;
   const ActiveFace& g_;

@@ -116,8 +116,8 @@ class Maker {
     if (low < -most || high > most) return;
     k_.low = static_cast<std::int32_t>(low);
     k_.high = static_cast<std::int32_t>(high);
-    k_.error = (std::int64_t{4} * f_.inverse >> k_.shift) + 3;
-    const std::int64_t shallow = isqrt(static_cast<std::uint64_t>(k_.shallow)) + 4;
+    k_.error = (std::int64_t{6} * f_.inverse >> k_.shift) + 3;
+    const std::int64_t shallow = isqrt(static_cast<std::uint64_t>(k_.shallow)) + 6;
     k_.shallow_error = (shallow * f_.inverse >> k_.shift) + 3;
   }
   // A bound of the depth in whole dots, on the side of `sign`, from that of n.

@@ -52,13 +52,13 @@ struct RootSurface {
 //   D   d + (dy + dyy s) s + (dx + dxy s + dxx t) t                   d in squares of units; dy, dyy in 2^-y_bits parts of them,
 //                                                                     dx, dxy, dxx in 2^-x_bits
 struct DepthBlock {
+  std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+  std::int32_t low = 0, high = 0;  // whole dots of page depth
   std::int64_t b = 0, bx = 0, by = 0;
   std::int64_t d = 0, dx = 0, dy = 0, dxx = 0, dxy = 0, dyy = 0;
   std::int64_t error = 0,
                shallow_error = 0;  // of a depth where the root is at least `shallow`, and below; negative: unknown
   std::int32_t shallow = 0;
-  std::int32_t low = 0, high = 0;  // whole dots of page depth
-  std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
   std::int8_t x_bits = 0, y_bits = 0, shift = 0;
 
   [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {
@@ -67,9 +67,9 @@ struct DepthBlock {
 };
 
 struct ActiveFace {
+  DepthBlock block;  // about the dots last asked for
   std::array<Wide<128>, 10> c;
   RootSurface surface;  // of a root face
-  DepthBlock block;     // about the dots last asked for
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
   std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_depth()

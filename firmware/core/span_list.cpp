@@ -38,12 +38,6 @@ void SpanList::remove(std::uint16_t slot) {
   free_ = slot;
 }
 
-const DepthBlock& SpanList::block_of(const Stretch& stretch) {
-  ActiveFace& face = faces_[stretch.face];
-  bound_depth(face, y_, stretch.x0, stretch.x1, counters_);
-  return face.block;
-}
-
 // Dots x0 .. x1, all covered by the old face until now: the nearer of both, piece by piece.
 bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
   DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, exact_, counters_);
@@ -63,7 +57,7 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
     current = pool_[current].next;
   }
   last_ = hint_;
-  const Stretch cell{face, x0, x1};
+  const std::int32_t from = x0;
   while (x0 <= x1) {
     if (current == no_slot || pool_[current].x0 > x1) return add(face, x0, x1);
     const Span old = pool_[current];
@@ -73,8 +67,8 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
       continue;
     }
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
-    const DepthBlock& block = block_of(cell);
-    const DepthBlock& old_block = block_of({old.face, old.x0, old.x1});
+    const DepthBlock& block = bounded(faces_[face], y_, from, x1, counters_);
+    const DepthBlock& old_block = bounded(faces_[old.face], y_, old.x0, old.x1, counters_);
     if (old_block.high < block.low) {
       last_ = current;
     } else {
