@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/core/isqrt.hpp"
+#include "firmware/core/quick_root.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
@@ -16,6 +17,32 @@ int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static
 struct Interval {
   std::int64_t low, high;
 };
+
+// Dots t0 .. t1 of lines s0 .. s1 of a block.
+struct Part {
+  std::int32_t t0, t1, s0, s1;
+};
+
+std::int64_t discriminant(const DepthBlock& k, std::int32_t t, std::int32_t s) {
+  return k.d + part(k.dy + k.dyy * s, s, k.y_bits) + part(k.dx + k.dxy * s + k.dxx * t, t, k.x_bits);
+}
+
+// Of the root in units, errors taken in.
+Interval root_over(const DepthBlock& k, const Part& p) {
+  const std::int64_t corners[4] = {discriminant(k, p.t0, p.s0), discriminant(k, p.t1, p.s0),
+                                   discriminant(k, p.t0, p.s1), discriminant(k, p.t1, p.s1)};
+  const std::int32_t w = p.t1 - p.t0;
+  const std::int32_t h = p.s1 - p.s0;
+  const std::int64_t bulge_x = part(k.dxx * w, w, k.x_bits) >> 2;
+  const std::int64_t bulge_y = part(k.dyy * h, h, k.y_bits) >> 2;
+  const std::int64_t error = 2 * k.shallow;
+  const std::int64_t low = *std::min_element(corners, corners + 4) - std::max<std::int64_t>(bulge_x, 0) -
+                           std::max<std::int64_t>(bulge_y, 0) - error;
+  const std::int64_t high = *std::max_element(corners, corners + 4) - std::min<std::int64_t>(bulge_x, 0) -
+                            std::min<std::int64_t>(bulge_y, 0) + error;
+  const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
+  return {std::max(root(low) - 3, 0), root(high) + 3};
+}
 
 class Maker {
  public:
@@ -68,10 +95,7 @@ class Maker {
     return shift + half;
   }
 
-  [[nodiscard]] std::int64_t discriminant(std::int32_t t, std::int32_t s) const {
-    return k_.d + part(k_.dy + k_.dyy * s, s, k_.y_bits) + part(k_.dx + k_.dxy * s + k_.dxx * t, t, k_.x_bits);
-  }
-  // Of -b and the root in units, errors taken in.
+  // Of -b in units, errors taken in.
   [[nodiscard]] Interval numerator() const {
     const std::int64_t x = k_.bx * w_;
     const std::int64_t y = k_.by * h_;
@@ -79,24 +103,6 @@ class Maker {
     const std::int64_t greatest = k_.b + std::max<std::int64_t>(x, 0) + std::max<std::int64_t>(y, 0);
     return {-(greatest >> 16) - 3, -(least >> 16) + 2};
   }
-  [[nodiscard]] Interval root() const {
-    const std::int64_t at = discriminant(0, 0);
-    const std::int64_t right = discriminant(w_, 0);
-    const std::int64_t below = discriminant(0, h_);
-    const std::int64_t far = discriminant(w_, h_);
-    const std::int64_t error = k_.shallow;
-    const std::int64_t bulge_x = part(k_.dxx * w_, w_, k_.x_bits) >> 2;
-    const std::int64_t bulge_y = part(k_.dyy * h_, h_, k_.y_bits) >> 2;
-    const std::int64_t low = std::min({at, right, below, far}) - std::max<std::int64_t>(bulge_x, 0) -
-                             std::max<std::int64_t>(bulge_y, 0) - 2 * error;
-    const std::int64_t high = std::max({at, right, below, far}) - std::min<std::int64_t>(bulge_x, 0) -
-                              std::min<std::int64_t>(bulge_y, 0) + 2 * error;
-    const auto root_of = [](std::int64_t v) {
-      return static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(v, 0))));
-    };
-    return {root_of(low), root_of(high) + 1};
-  }
-
   void bound(int unit) {
     k_.low = INT32_MIN;
     k_.high = INT32_MAX;
@@ -107,7 +113,7 @@ class Maker {
     k_.shift = static_cast<std::int8_t>(std::min(shift, 63));
     Interval n = numerator();
     if (f_.kind == FaceKind::root) {
-      const Interval r = root();
+      const Interval r = root_over(k_, {0, w_, 0, h_});
       n.low += f_.sheet < 0 ? -r.high : r.low;
       n.high += f_.sheet < 0 ? -r.low : r.high;
     }
@@ -133,7 +139,58 @@ class Maker {
   std::int32_t x_, y_;  // the block's first dot in the face's frame
 };
 
+// Of f less g in 2^-16 dots.
+Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
+  constexpr std::int64_t none = std::int64_t{1} << 62;
+  Interval linear{none, -none};
+  const auto linear_at = [](const ActiveFace& face, std::int32_t x, std::int32_t y) {
+    const DepthBlock& k = face.block;
+    const std::int64_t b = k.b + k.bx * (x - k.x0) + k.by * (y - k.y0);
+    return -((b >> 16) * face.inverse >> k.shift) + face.origin_z * (std::int64_t{1} << depth_fraction);
+  };
+  for (const std::int32_t y : {over.y0, over.y1}) {
+    for (const std::int32_t x : {over.x0, over.x1}) {
+      const std::int64_t at = linear_at(f, x, y) - linear_at(g, x, y);
+      linear.low = std::min(linear.low, at);
+      linear.high = std::max(linear.high, at);
+    }
+  }
+  const auto root_of = [&over](const ActiveFace& face) -> Interval {
+    if (face.kind != FaceKind::root) return {0, 0};
+    const DepthBlock& k = face.block;
+    const Interval r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
+    const std::int64_t low = r.low * face.inverse >> k.shift;
+    const std::int64_t high = r.high * face.inverse >> k.shift;
+    return face.sheet < 0 ? Interval{-high, -low} : Interval{low, high};
+  };
+  const Interval root = root_of(f);
+  const Interval rival = root_of(g);
+  const std::int64_t error = 2 * (f.block.error + g.block.error);
+  return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
+}
+
 }  // namespace
+
+int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const auto about_g = [&](const DepthProof& proof) { return proof.rival == g.order && proof.holds(y, x0, x1); };
+  for (const DepthProof& proof : f.proofs) {
+    if (about_g(proof)) return proof.nearer;
+  }
+  f.proofs[1] = f.proofs[0];
+  DepthProof& proof = f.proofs[0];
+  const std::int32_t margin = (x1 - x0) / 4;
+  proof.rival = g.order;
+  proof.x0 = std::max({static_cast<std::int16_t>(x0 - margin - 4), f.block.x0, g.block.x0});
+  proof.x1 = std::min({static_cast<std::int16_t>(x1 + margin + 4), f.block.x1, g.block.x1});
+  proof.y0 = static_cast<std::int16_t>(y);
+  proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
+  proof.nearer = 0;
+  if (f.block.error < 0 || g.block.error < 0) return 0;
+  const Interval distance = difference(f, g, proof);
+  if (distance.high < 0) proof.nearer = -1;
+  if (distance.low > 0) proof.nearer = 1;
+  return proof.nearer;
+}
 
 void make_depth(ActiveFace& face) {
   if (face.kind == FaceKind::rational) return;

@@ -20,6 +20,11 @@ void make_depth(ActiveFace& face);
 // Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
 void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
 
+// -1: on dots x0 .. x1 of line y f is nearer than g, 1: g than f, 0: cannot tell at once. Both blocks hold these dots. What is found out is
+// good for lines to come and kept with f.
+// Method  The difference of the linear parts of z at the corners, and the bounds of both roots.
+[[nodiscard]] int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
 // floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.
 constexpr std::int64_t part(std::int64_t v, std::int32_t n, int bits) {
   const std::int64_t low = v & ((std::int64_t{1} << bits) - 1);

@@ -66,8 +66,21 @@ struct DepthBlock {
   }
 };
 
+// What is known of a face and a rival on dots x0 .. x1 of lines y0 .. y1: -1, the face is the nearer one; 1, the rival is; 0, it takes a
+// closer look. A rival is told by its order, which no other face has.
+struct DepthProof {
+  std::uint32_t rival = 0;
+  std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+  std::int8_t nearer = 0;
+
+  [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {
+    return y0 <= y && y <= y1 && x0 <= from && to <= x1;
+  }
+};
+
 struct ActiveFace {
-  DepthBlock block;  // about the dots last asked for
+  DepthBlock block;                  // about the dots last asked for
+  std::array<DepthProof, 2> proofs;  // the newest first
   std::array<Wide<128>, 10> c;
   RootSurface surface;  // of a root face
   std::int64_t origin_z = 0;
@@ -98,6 +111,7 @@ inline void read_face(JobReader& in, Record type, ActiveFace& face) {
                                           : FaceKind::rational;
   face.sheet = 0;
   face.block = {};
+  face.proofs = {};
   face.ready = false;
   if (face.kind == FaceKind::plane) {
     face.level = in.byte();
