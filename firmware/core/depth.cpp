@@ -133,6 +133,45 @@ Strip strip(std::int64_t end, std::int64_t middle, std::int64_t other, std::int3
   return {std::min(far * end, extended), std::max(far * end, extended)};
 }
 
+// Both faces at a dot.
+using Pair = DepthPair;
+
+// -1: f is nearer for sure, 1: g is, 0: cannot tell.
+int sure_sign(const Pair& at) {
+  if (at.f.error < 0 || at.g.error < 0) return 0;
+  const std::int64_t difference = at.f.z - at.g.z;
+  const std::int64_t error = at.f.error + at.g.error;
+  return difference > error ? 1 : (difference < -error ? -1 : 0);
+}
+
+// The dot between, where the chords of two faces whose order differs at two dots cross.
+std::int32_t chord_crossing(const Pair& left, const Pair& right) {
+  const auto apart = [](const Pair& at) { return static_cast<std::uint64_t>(std::abs(at.f.z - at.g.z)); };
+  const int shift = std::max(0, static_cast<int>(std::bit_width(apart(left) | apart(right))) - 16);
+  const auto a = static_cast<std::uint32_t>(apart(left) >> shift);
+  const auto b = static_cast<std::uint32_t>(apart(right) >> shift);
+  const auto length = static_cast<std::uint32_t>(right.x - left.x);
+  return std::clamp(left.x + static_cast<std::int32_t>(length * a / (a + b)), left.x + 1, right.x - 1);
+}
+
+// -1: f nearer on all dots from `end` to `middle`, 1: g, 0: cannot tell. `other` lies beyond the middle.
+int nearer_between(const Pair& end, const Pair& middle, const Pair& other) {
+  std::int64_t error = 0;
+  for (const Pair* pair : {&end, &middle, &other}) {
+    if (pair->f.error < 0 || pair->g.error < 0) return 0;
+    error = std::max(error, pair->f.error + pair->g.error);
+  }
+  const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
+  const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
+  const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
+  const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
+  const std::int64_t difference = middle.f.z - middle.g.z;
+  const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
+  if (f.high - g.low < -ends && difference < -error) return -1;
+  if (f.low - g.high > ends && difference > error) return 1;
+  return 0;
+}
+
 }  // namespace
 
 DepthLine::DepthLine(const ActiveFace& face, std::int32_t y) : face_(face), y_(y - face.origin_y) {
@@ -181,22 +220,12 @@ void DepthOrder::push(std::int32_t a, std::int32_t b, int known) {
   stack_[depth_++] = {static_cast<std::int16_t>(a), static_cast<std::int16_t>(b), static_cast<std::int8_t>(known)};
 }
 
-DepthOrder::Pair DepthOrder::sample(std::int32_t x) {
+DepthPair DepthOrder::sample(std::int32_t x) {
   for (const Pair& pair : recent_) {
     if (pair.x == x) return pair;
   }
   counters_.depth_samples += 2;
   return {x, f_line_.at(x), g_line_.at(x)};
-}
-
-// Of both faces at a recent dot, the largest; negative where one is not known.
-std::int64_t DepthOrder::recent_error() const {
-  std::int64_t error = 0;
-  for (const Pair& pair : recent_) {
-    if (pair.f.error < 0 || pair.g.error < 0) return -1;
-    error = std::max(error, pair.f.error + pair.g.error);
-  }
-  return error;
 }
 
 int DepthOrder::winner(int sign) const {
@@ -212,69 +241,78 @@ bool DepthOrder::one_surface() {
 
 // The face that shows at a dot.
 int DepthOrder::winner_at(std::int32_t x) {
-  const Pair at = sample(x);
-  if (at.f.error >= 0 && at.g.error >= 0) {
-    const std::int64_t difference = at.f.z - at.g.z;
-    if (difference > at.f.error + at.g.error) return 1;
-    if (-difference > at.f.error + at.g.error) return -1;
-  }
+  const int sure = sure_sign(sample(x));
+  if (sure != 0) return sure;
   if (one_surface()) return winner(0);
   ++counters_.exact_depths;
   return winner(exact_.compare_depth(f_, g_, x, y_));
 }
 
 // Where the ends settle what lies between: two dots, or two planes, whose distance is linear.
-bool DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
+DepthOrder::Step DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
   const int left = winner_at(run.a);
   const int right = run.a == run.b ? left : winner_at(run.b);
   piece = {run.b, left < 0};
-  if (left == right) return true;
+  if (left == right) return Step::settled;
   if (run.b - run.a > 1) {
     const std::int32_t m = run.a + (run.b - run.a) / 2;
     push(m + 1, run.b, 0);
     push(run.a, m, 0);
-    return false;
+    return Step::halved;
   }
   piece.end = run.a;
   push(run.b, run.b, right);
-  return true;
+  return Step::settled;
 }
 
-// -1: f nearer over the whole half run from `end` to recent_[1], +1: g, 0: cannot tell.
-int DepthOrder::nearer_half(const Pair& end, const Pair& other, std::int64_t error) const {
-  const Pair& middle = recent_[1];
-  const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
-  const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
-  const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
-  const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
-  const std::int64_t difference = middle.f.z - middle.g.z;
-  const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
-  if (f.high - g.low < -ends && difference < -error) return -1;
-  if (f.low - g.high > ends && difference > error) return 1;
-  return 0;
+// Cuts a run, at whose ends the order differs for sure, between the two dots where it changes.
+DepthOrder::Step DepthOrder::cross(const Run& run, Piece& piece) {
+  const Pair first = sample(run.a);
+  const Pair last = sample(run.b);
+  recent_[0] = first;
+  recent_[2] = last;
+  const int sign = sure_sign(first);
+  if (sign == 0 || sure_sign(last) != -sign) return Step::none;
+  --crossings_;
+  Pair left = first;
+  Pair right = last;
+  for (int step = 1; right.x - left.x > 1; ++step) {
+    const std::int32_t x = step % 3 == 0 ? left.x + (right.x - left.x) / 2 : chord_crossing(left, right);
+    counters_.depth_samples += 2;
+    const Pair at{x, f_line_.at(x), g_line_.at(x)};
+    const int here = sure_sign(at);
+    if (here == 0) return Step::none;
+    (here == sign ? left : right) = at;
+  }
+  const int before = left.x == run.a ? sign : nearer_between(first, left, right);
+  const int behind = right.x == run.b ? -sign : nearer_between(last, right, left);
+  push(right.x, run.b, behind);
+  piece = {left.x, before < 0};
+  if (before != 0) return Step::settled;
+  push(run.a, left.x, 0);
+  return Step::halved;
 }
 
 // Settles the run's left half, or leaves both halves on the stack.
-bool DepthOrder::halve(const Run& run, Piece& piece) {
+DepthOrder::Step DepthOrder::halve(const Run& run, Piece& piece) {
   const std::int32_t m = run.a + (run.b - run.a) / 2;
   const Pair last = sample(run.b);
   if (recent_[0].x != run.a) recent_[0] = sample(run.a);
   recent_[1] = sample(m);
   recent_[2] = last;
-  const std::int64_t error = recent_error();
-  const int left = error < 0 ? 0 : nearer_half(recent_[0], recent_[2], error);
-  const int right = error < 0 ? 0 : nearer_half(recent_[2], recent_[0], error);
+  const int left = nearer_between(recent_[0], recent_[1], recent_[2]);
+  const int right = nearer_between(recent_[2], recent_[1], recent_[0]);
   if (left == right && (left != 0 || one_surface())) {
     piece = {run.b, winner(left) < 0};
-    return true;
+    return Step::settled;
   }
   push(m + 1, run.b, right);
   if (left == 0) {
     push(run.a, m, 0);
-    return false;
+    return Step::halved;
   }
   piece = {m, left < 0};
-  return true;
+  return Step::settled;
 }
 
 DepthOrder::Piece DepthOrder::next() {
@@ -283,7 +321,10 @@ DepthOrder::Piece DepthOrder::next() {
   for (;;) {
     const Run run = stack_[--depth_];
     if (run.known != 0) return {run.b, run.known < 0};
-    if (planes || run.b - run.a < 2 ? settle_by_ends(run, piece) : halve(run, piece)) return piece;
+    Step step = Step::none;
+    if (run.b - run.a > 1 && crossings_ > 0) step = cross(run, piece);
+    if (step == Step::none) step = planes || run.b - run.a < 2 ? settle_by_ends(run, piece) : halve(run, piece);
+    if (step == Step::settled) return piece;
   }
 }
 

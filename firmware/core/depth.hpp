@@ -6,8 +6,10 @@
 //   If these strips of two faces do not overlap, their order is settled for the whole half run; otherwise the half is halved
 //   again, down to single dots, which are decided exactly (exact.hpp). Two sheets of one surface tie everywhere.
 // Cost    Proportional to the number of crossings times the logarithm of the run, not to the run's length.
-// Memory  A stack of 16 runs: one of at most 2^15 dots is halved at most 14 times, down to two dots, and leaves one behind each
-//         time.
+//   Where the order differs at a and b, the two dots m, m + 1 between which it changes are sought; then m is the middle and the other dot
+//   of both lines. Two conics cross four times at most.
+// Memory  A stack of 19 runs: one of at most 2^15 dots is halved at most 14 times, down to two dots, cut at a crossing four times, and
+//         leaves one behind each time.
 // Source  Ressler 1985, 5.5.1 compares depths where an edge enters; interpenetrating bodies are not in the paper.
 #pragma once
 
@@ -66,6 +68,12 @@ void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t 
   return face.block;
 }
 
+// Two faces at a dot.
+struct DepthPair {
+  std::int32_t x = -1;
+  DepthSample f, g;
+};
+
 // The order of two faces, whose blocks hold the run, along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {
@@ -82,24 +90,22 @@ class DepthOrder {
   Piece next();
 
  private:
+  static constexpr int most_crossings = 4;  // of two conics
+
   struct Run {
     std::int16_t a, b;
     std::int8_t known;  // -1: f shows, +1: g shows, 0: not settled yet
   };
-  // Both faces at a dot.
-  struct Pair {
-    std::int32_t x = -1;
-    DepthSample f, g;
-  };
+  enum class Step : std::uint8_t { settled, halved, none };
+
   void push(std::int32_t a, std::int32_t b, int known);
-  bool halve(const Run& run, Piece& piece);
-  bool settle_by_ends(const Run& run, Piece& piece);
-  [[nodiscard]] int nearer_half(const Pair& end, const Pair& other, std::int64_t error) const;
+  Step cross(const Run& run, Piece& piece);
+  Step halve(const Run& run, Piece& piece);
+  Step settle_by_ends(const Run& run, Piece& piece);
   [[nodiscard]] int winner(int sign) const;
   [[nodiscard]] int winner_at(std::int32_t x);
   [[nodiscard]] bool one_surface();
-  [[nodiscard]] Pair sample(std::int32_t x);
-  [[nodiscard]] std::int64_t recent_error() const;
+  [[nodiscard]] DepthPair sample(std::int32_t x);
 
   const ActiveFace& f_;
   const ActiveFace& g_;
@@ -107,9 +113,10 @@ class DepthOrder {
   std::int32_t y_;
   const ExactModule& exact_;
   Counters& counters_;
-  Pair recent_[3];  // a halved run's: half of it asks for two of them again
+  DepthPair recent_[3];  // a halved run's: half of it asks for two of them again
   bool compared_ = false, one_surface_ = false;
-  Run stack_[16];
+  int crossings_ = most_crossings;  // that may still be sought
+  Run stack_[15 + most_crossings];
   int depth_ = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace halfspace {
 
 inline constexpr int depth_fraction = 16;
-inline constexpr std::int64_t largest_depth = std::int64_t{1} << 46;  // 2^30 dots: sums of four stay inside 64 bits
+inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 dots: sums stay inside 64 bits
 
 // What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
 void make_depth(ActiveFace& face);

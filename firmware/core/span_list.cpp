@@ -60,7 +60,7 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
     current = pool_[current].next;
   }
   last_ = hint_;
-  const std::int32_t from = x0;
+  const DepthBlock& block = bounded(faces_[face], y_, x0, x1, counters_);
   while (x0 <= x1) {
     if (current == no_slot || pool_[current].x0 > x1) return add(face, x0, x1);
     const Span old = pool_[current];
@@ -70,8 +70,7 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
       continue;
     }
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
-    const DepthBlock& block = bounded(faces_[face], y_, from, x1, counters_);
-    const DepthBlock& old_block = bounded(faces_[old.face], y_, old.x0, old.x1, counters_);
+    const DepthBlock& old_block = faces_[old.face].block;
     if (old_block.high < block.low) {
       last_ = current;
     } else {
