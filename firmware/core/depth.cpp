@@ -104,15 +104,14 @@ Range range_of(const DepthLine& line, std::int32_t a, std::int32_t b) {
 // compared in f's frame, where g's p is p - d.
 bool coincide(const ActiveFace& f, const ActiveFace& g) {
   if (f.kind != g.kind || f.sheet != g.sheet) return false;
+  const bool plane = f.kind == FaceKind::plane;
+  if (!std::equal(f.c.begin(), f.c.begin() + (plane ? 3 : 6), g.c.begin())) return false;
   const std::array<Int, 3> d{Int(g.origin_x) - Int(f.origin_x), Int(g.origin_y) - Int(f.origin_y),
                              Int(g.origin_z) - Int(f.origin_z)};
   const auto along = [&d](const ActiveFace& of, int i, int j, int k) {
     return Int(of.c[i]) * d[0] + Int(of.c[j]) * d[1] + Int(of.c[k]) * d[2];
   };
-  if (f.kind == FaceKind::plane) {
-    return std::equal(f.c.begin(), f.c.begin() + 3, g.c.begin()) && Int(f.c[3]) == Int(g.c[3]) - along(g, 0, 1, 2);
-  }
-  if (!std::equal(f.c.begin(), f.c.begin() + 6, g.c.begin())) return false;
+  if (plane) return Int(f.c[3]) == Int(g.c[3]) - along(g, 0, 1, 2);
   const std::array<Int, 3> m{along(g, 0, 3, 5), along(g, 3, 1, 4), along(g, 5, 4, 2)};
   Int constant(g.c[9]);
   for (int i = 0; i < 3; ++i) {
