@@ -41,7 +41,7 @@ Interval root_over(const DepthBlock& k, const Part& p) {
   const std::int64_t high = *std::max_element(corners, corners + 4) - std::min<std::int64_t>(bulge_x, 0) -
                             std::min<std::int64_t>(bulge_y, 0) + error;
   const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
-  return {std::max(root(low) - 3, 0), root(high) + 3};
+  return {std::max<std::int64_t>(root(low) - 3, 0), root(high) + 3};
 }
 
 class Maker {
@@ -211,10 +211,10 @@ void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b
   }
   const std::int32_t margin = (b - a) / 4;
   const std::int32_t rows = std::clamp(margin, least_rows, most_rows);
-  k.x0 = static_cast<std::int16_t>(std::max(a - margin - 4, 0));
-  k.x1 = static_cast<std::int16_t>(std::min(b + margin + 4, largest_dot));
+  k.x0 = static_cast<std::int16_t>(std::max<std::int32_t>(a - margin - 4, 0));
+  k.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(b + margin + 4, largest_dot));
   k.y0 = static_cast<std::int16_t>(y);
-  k.y1 = static_cast<std::int16_t>(std::min(y + rows - 1, largest_dot));
+  k.y1 = static_cast<std::int16_t>(std::min<std::int32_t>(y + rows - 1, largest_dot));
   Maker(face, k).make();
 }
 
