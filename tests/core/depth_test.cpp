@@ -71,6 +71,76 @@ TEST(SampleDepth, OrdinarySolidsAreKnownToAThousandthOfADot) {
   }
 }
 
+// On every dot that a block holds, also those that nobody asked for.
+TEST(DepthBlock, HoldsTheTrueDepthOfAllItsDots) {
+  Dice dice(14);
+  int dots = 0;
+  int bounded_dots = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    TestFace face = any_face(dice, random_lighting(dice));
+    if (face.active.kind == FaceKind::rational) continue;
+    const auto a = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto b = static_cast<std::int32_t>(between(dice, a, side - 1));
+    make_block(face.active, static_cast<std::int32_t>(between(dice, 0, side - 1)), a, b);
+    const DepthBlock& block = face.active.block;
+    ASSERT_LE(block.x0, a);
+    ASSERT_GE(block.x1, b);
+    for (int i = 0; i < 20; ++i) {
+      const auto x = static_cast<std::int32_t>(i == 0 ? block.x0 : between(dice, block.x0, block.x1));
+      const auto y = static_cast<std::int32_t>(i == 1 ? block.y1 : between(dice, block.y0, block.y1));
+      const auto exact = testing::depth_at(face, x, y);
+      if (!exact) continue;
+      ++dots;
+      ASSERT_GE(sign_of_sum(exact->p - to_mpz(block.low) * exact->d, exact->s, exact->q), 0) << "trial " << trial;
+      ASSERT_LE(sign_of_sum(exact->p - to_mpz(block.high) * exact->d, exact->s, exact->q), 0) << "trial " << trial;
+      const DepthSample sample = DepthLine(face.active, y).at(x);
+      if (sample.error < 0) continue;
+      ++bounded_dots;
+      const mpz_class scale = mpz_class(1) << depth_fraction;
+      for (const int side_of : {-1, 1}) {
+        const mpz_class limit = to_mpz(sample.z + side_of * sample.error);
+        ASSERT_NE(sign_of_sum(exact->p * scale - limit * exact->d, exact->s * scale, exact->q), side_of)
+            << "trial " << trial << " dot " << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(dots, 15000);
+  EXPECT_GT(bounded_dots, 10000);
+}
+
+TEST(ProvenOrder, HoldsOnAllDotsOfTheProof) {
+  Dice dice(15);
+  const Lighting lighting = random_lighting(dice);
+  int proven = 0;
+  for (int trial = 0; trial < 6000; ++trial) {
+    TestFace f = solid_face(dice, between(dice, 20, 60), between(dice, 20, 60), between(dice, 10, 60), lighting);
+    TestFace g = solid_face(dice, between(dice, 20, 60), between(dice, 20, 60), between(dice, 10, 60), lighting);
+    if (trial % 3 == 0) g = random_face(dice, FaceKind::plane, 6, lighting);
+    if (f.active.kind == FaceKind::rational || g.active.kind == FaceKind::rational) continue;
+    f.active.order = 1;
+    g.active.order = 2;
+    const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto a = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto b = static_cast<std::int32_t>(between(dice, a, side - 1));
+    for (TestFace* face : {&f, &g}) make_block(face->active, y, a, b);
+    const int nearer = proven_order(f.active, g.active, y, a, b);
+    const DepthProof& proof = f.active.proofs[0];
+    ASSERT_TRUE(proof.holds(y, a, b));
+    ASSERT_EQ(proven_order(f.active, g.active, proof.y1, proof.x0, proof.x1), nearer) << "the proof is kept";
+    if (nearer == 0) continue;
+    for (int i = 0; i < 20; ++i) {
+      const auto px = static_cast<std::int32_t>(between(dice, proof.x0, proof.x1));
+      const auto py = static_cast<std::int32_t>(between(dice, proof.y0, proof.y1));
+      const auto zf = testing::depth_at(f, px, py);
+      const auto zg = testing::depth_at(g, px, py);
+      if (!zf || !zg) continue;
+      ++proven;
+      ASSERT_EQ(testing::compare(*zf, *zg), nearer) << "trial " << trial << " dot " << px << ", " << py;
+    }
+  }
+  EXPECT_GT(proven, 5000);
+}
+
 TEST(CompareDepth, AgreesWithGmp) {
   Dice dice(12);
   const Lighting lighting = random_lighting(dice);
