@@ -54,33 +54,37 @@ bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t 
 
 bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
   ++counters_.face_inserts;
-  std::uint16_t current = hint_ == no_slot ? first_ : pool_[hint_].next;
-  while (current != no_slot && pool_[current].x1 < x0) {
+  const Span* const pool = pool_.data();
+  const ActiveFace* const faces = faces_.data();
+  std::uint16_t current = hint_ == no_slot ? first_ : pool[hint_].next;
+  while (current != no_slot && pool[current].x1 < x0) {
     hint_ = current;
-    current = pool_[current].next;
+    current = pool[current].next;
   }
   last_ = hint_;
   const DepthBlock& block = bounded(faces_[face], y_, x0, x1, counters_);
   while (x0 <= x1) {
-    if (current == no_slot || pool_[current].x0 > x1) return add(face, x0, x1);
-    const Span old = pool_[current];
+    // Spans that lie in front altogether stay as they are.
+    while (current != no_slot && pool[current].x0 <= x0 && faces[pool[current].face].block.high < block.low) {
+      last_ = current;
+      x0 = pool[current].x1 + 1;
+      if (x0 > x1) return true;
+      current = pool[current].next;
+    }
+    if (current == no_slot || pool[current].x0 > x1) return add(face, x0, x1);
+    const Span old = pool[current];
     if (x0 < old.x0) {
       if (!add(face, x0, old.x0 - 1)) return false;
       x0 = old.x0;
       continue;
     }
+    // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
-    const DepthBlock& old_block = faces_[old.face].block;
-    if (old_block.high < block.low) {
-      last_ = current;
-    } else {
-      // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
-      const bool nearer = block.high < old_block.low;
-      remove(current);
-      if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
-      if (!(nearer ? add(face, x0, end) : contest(face, old.face, x0, end))) return false;
-      if (end < old.x1) return add(old.face, end + 1, old.x1);
-    }
+    const bool nearer = block.high < faces[old.face].block.low;
+    remove(current);
+    if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
+    if (!(nearer ? add(face, x0, end) : contest(face, old.face, x0, end))) return false;
+    if (end < old.x1) return add(old.face, end + 1, old.x1);
     x0 = end + 1;
     current = old.next;
   }
