@@ -77,8 +77,8 @@ class Maker {
     const Wide<128> d = form.at(x_, y_);
     const Wide<128> dx = form.q[0].times(2 * x_) + form.q[1].times(y_) + form.q[3];
     const Wide<128> dy = form.q[2].times(2 * y_) + form.q[1].times(x_) + form.q[4];
-    const int x = k_.x_bits;
-    const int y = k_.y_bits;
+    const int x = bits_of(w_);
+    const int y = bits_of(h_);
     const int bits = std::max({d.bit_length(), dx.bit_length() + x, dy.bit_length() + y, form.q[0].bit_length() + 2 * x,
                                form.q[1].bit_length() + x + y, form.q[2].bit_length() + 2 * y});
     // A rounded D must be off by less than a square of a unit.
