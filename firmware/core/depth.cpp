@@ -64,7 +64,7 @@ int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static
 
 DepthSample in_page(DepthSample local, const ActiveFace& face) {
   constexpr std::int64_t most = largest_depth >> depth_fraction;
-  if (local.error < 0 || face.origin_z > most || -face.origin_z > most) return unrepresentable;
+  if (local.error < 0 || face.origin_z > most || face.origin_z < -most) return unrepresentable;
   local.z += face.origin_z * (std::int64_t{1} << depth_fraction);
   return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
 }

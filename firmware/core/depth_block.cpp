@@ -109,7 +109,7 @@ class Maker {
     k_.error = -1;
     const int shift = f_.inverse_exponent - unit - depth_fraction;
     const std::int64_t most = largest_depth >> depth_fraction;
-    if (shift < 0 || f_.origin_z > most || -f_.origin_z > most) return;
+    if (shift < 0 || f_.origin_z > most || f_.origin_z < -most) return;
     k_.shift = static_cast<std::int8_t>(std::min(shift, 63));
     Interval n = numerator();
     if (f_.kind == FaceKind::root) {
