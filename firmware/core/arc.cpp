@@ -36,6 +36,17 @@ bool holds(const std::array<Int, 6>& q, const ArcStart& start) {
   }
 }
 
+constexpr bool is_negative(std::int64_t v) { return v < 0; }
+constexpr bool is_positive(std::int64_t v) { return v > 0; }
+template <int Bits>
+constexpr bool is_negative(const Wide<Bits>& v) {
+  return v.negative();
+}
+template <int Bits>
+constexpr bool is_positive(const Wide<Bits>& v) {
+  return !v.negative() && !v.is_zero();
+}
+
 // Where the walk stands: the registers' dot and the dots it may visit.
 struct Cursor {
   std::int16_t x = 0;
@@ -55,8 +66,15 @@ struct LineArc {
     form.jump_x(start.x - start.origin_x);
     form.jump_y(start.y - start.origin_y);
   }
-  [[nodiscard]] bool at_or_right() const { return sign_of(form.r) >= 0; }
-  [[nodiscard]] bool right() const { return sign_of(form.r) > 0; }
+  [[nodiscard]] bool at_or_right() const { return !is_negative(form.r); }
+  [[nodiscard]] bool right() const { return is_positive(form.r); }
+  // Steps back if the predicate holds there too.
+  bool back() {
+    const Int r = form.r - form.x;
+    if (is_negative(r)) return false;
+    form.r = r;
+    return true;
+  }
 };
 
 template <class Int>
@@ -73,29 +91,27 @@ struct ConicArc {
     form =
         SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, start.y - start.origin_y);
   }
-  // The sign of 2 A x + B y + D: twice the register x is r(x+1) - r(x-1) + 2A.
-  [[nodiscard]] int slope_sign() const { return sign_of(form.x + form.x - form.xx); }
+  // 2 A x + B y + D: twice the register x is r(x+1) - r(x-1) + 2A.
+  [[nodiscard]] Int slope() const { return form.x + form.x - form.xx; }
+  [[nodiscard]] static bool at_or_right(ArcBranch branch, const Int& value, const auto& slope_at) {
+    if (branch == ArcBranch::left) return !is_positive(value) || !is_negative(slope_at());
+    return !is_negative(value) && (branch == ArcBranch::single || !is_negative(slope_at()));
+  }
   [[nodiscard]] bool at_or_right() const {
-    const int value = sign_of(form.r);
-    switch (branch) {
-      case ArcBranch::left:
-        return value <= 0 || slope_sign() >= 0;
-      case ArcBranch::right:
-        return value >= 0 && slope_sign() >= 0;
-      default:
-        return value >= 0;
-    }
+    return at_or_right(branch, form.r, [this] { return slope(); });
   }
   [[nodiscard]] bool right() const {
-    const int value = sign_of(form.r);
-    switch (branch) {
-      case ArcBranch::left:
-        return value < 0 || slope_sign() > 0;
-      case ArcBranch::right:
-        return value > 0 && slope_sign() > 0;
-      default:
-        return value > 0;
-    }
+    if (branch == ArcBranch::left) return is_negative(form.r) || is_positive(slope());
+    return is_positive(form.r) && (branch == ArcBranch::single || is_positive(slope()));
+  }
+  bool back() {
+    const Int x = form.x - form.xx;
+    const Int r = form.r - x;
+    if (!at_or_right(branch, r, [this, &x] { return x + x - form.xx; })) return false;
+    form.x = x;
+    form.r = r;
+    form.y -= form.xy;
+    return true;
   }
 };
 
@@ -109,14 +125,7 @@ ArcCrossing settle(Arc& arc) {
       ++at.x;
     } while (at.x < at.x_end && !arc.at_or_right());
   } else {
-    while (at.x > at.x_min) {
-      arc.form.back_x();
-      if (!arc.at_or_right()) {
-        arc.form.step_x();
-        break;
-      }
-      --at.x;
-    }
+    while (at.x > at.x_min && arc.back()) --at.x;
   }
   ArcCrossing crossing{at.x, at.x};
   if (at.x < at.x_end && !arc.right()) ++crossing.right;

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "firmware/core/exact.hpp"
-#include "firmware/core/isqrt.hpp"
-#include "firmware/core/root_surface.hpp"
+#include "firmware/core/quick_root.hpp"
 
 namespace halfspace {
 namespace {
@@ -25,7 +24,6 @@ Approximate leading(const Wide<Bits>& value) {
 }
 
 constexpr DepthSample unrepresentable{0, -1};
-constexpr std::int64_t largest_depth = std::int64_t{1} << 46;  // 2^30 dots: sums of four stay inside 64 bits
 
 // n / d in dots, fixed point. The denominator keeps 31 bits, so the quotient is good to one part in 2^29.
 template <int Bits>
@@ -64,30 +62,56 @@ DepthSample rational_depth(const ActiveFace& f, std::int32_t x, std::int32_t y) 
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
-// start + slope t over 0 <= t <= length stays below 2^bits.
-int linear_bits(std::int32_t length, const Wide<128>& start, const Wide<128>& slope) {
-  return std::max(start.bit_length(), length == 0 ? 0 : slope.bit_length() + bits_of(length)) + 1;
+DepthSample in_page(DepthSample local, const ActiveFace& face) {
+  constexpr std::int64_t most = largest_depth >> depth_fraction;
+  if (local.error < 0 || face.origin_z > most || face.origin_z < -most) return unrepresentable;
+  local.z += face.origin_z * (std::int64_t{1} << depth_fraction);
+  return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
 }
 
-// d0 + d1 t + d2 t^2 there: it is nowhere farther than |d2| length^2 / 4 from its chord.
-int quadratic_bits(std::int32_t length, const Wide<128>& d0, const Wide<128>& d1, const Wide<128>& d2) {
-  const Wide<128> end = (d2.times(length) + d1).times(length) + d0;
-  return std::max({d0.bit_length(), end.bit_length(), d2.bit_length() + 2 * bits_of(length) - 2}) + 1;
+// Whole dots of page depth between which a face lies.
+struct Range {
+  std::int32_t low, high;
+};
+
+// Between its ends and its middle a face lies within the chords' strips (depth.hpp). Produced by the other half's length and a part in
+// `shorter`, a chord rises by no more than it does there, and that part: halves differ by a dot.
+Range range_of(const DepthLine& line, std::int32_t a, std::int32_t b) {
+  constexpr Range unknown{INT32_MIN, INT32_MAX};
+  const std::int32_t shorter = (b - a) / 2;
+  const DepthSample middle = line.at(a + shorter);
+  std::int64_t low = middle.z;
+  std::int64_t high = middle.z;
+  std::int64_t error = middle.error;
+  if (error < 0) return unknown;
+  for (const std::int32_t x : {a, b}) {
+    const DepthSample end = line.at(x);
+    if (end.error < 0) return unknown;
+    error = std::max(error, end.error);
+    const std::int64_t rise = end.z - middle.z;
+    const std::int64_t produced = shorter == 0 ? 0 : -(rise + (rise >> (bits_of(shorter) - 1)));
+    low = std::min({low, end.z, middle.z + produced});
+    high = std::max({high, end.z, middle.z + produced});
+  }
+  low -= 5 * error + 1;  // that of a value produced by twice its length, and of the shift
+  high += 5 * error + 1;
+  constexpr std::int64_t most = std::int64_t{INT32_MAX} << depth_fraction;
+  if (low < -most || high > most) return unknown;
+  return {static_cast<std::int32_t>(low >> depth_fraction), static_cast<std::int32_t>(-(-high >> depth_fraction))};
 }
 
 // Whether both faces are sheets of one surface and the same one of them: then they tie on every dot. Their polynomials are
 // compared in f's frame, where g's p is p - d.
 bool coincide(const ActiveFace& f, const ActiveFace& g) {
   if (f.kind != g.kind || f.sheet != g.sheet) return false;
+  const bool plane = f.kind == FaceKind::plane;
+  if (!std::equal(f.c.begin(), f.c.begin() + (plane ? 3 : 6), g.c.begin())) return false;
   const std::array<Int, 3> d{Int(g.origin_x) - Int(f.origin_x), Int(g.origin_y) - Int(f.origin_y),
                              Int(g.origin_z) - Int(f.origin_z)};
   const auto along = [&d](const ActiveFace& of, int i, int j, int k) {
     return Int(of.c[i]) * d[0] + Int(of.c[j]) * d[1] + Int(of.c[k]) * d[2];
   };
-  if (f.kind == FaceKind::plane) {
-    return std::equal(f.c.begin(), f.c.begin() + 3, g.c.begin()) && Int(f.c[3]) == Int(g.c[3]) - along(g, 0, 1, 2);
-  }
-  if (!std::equal(f.c.begin(), f.c.begin() + 6, g.c.begin())) return false;
+  if (plane) return Int(f.c[3]) == Int(g.c[3]) - along(g, 0, 1, 2);
   const std::array<Int, 3> m{along(g, 0, 3, 5), along(g, 3, 1, 4), along(g, 5, 4, 2)};
   Int constant(g.c[9]);
   for (int i = 0; i < 3; ++i) {
@@ -108,100 +132,86 @@ Strip strip(std::int64_t end, std::int64_t middle, std::int64_t other, std::int3
   return {std::min(far * end, extended), std::max(far * end, extended)};
 }
 
+// Both faces at a dot.
+using Pair = DepthPair;
+
+// -1: f is nearer for sure, 1: g is, 0: cannot tell.
+int sure_sign(const Pair& at) {
+  if (at.f.error < 0 || at.g.error < 0) return 0;
+  const std::int64_t difference = at.f.z - at.g.z;
+  const std::int64_t error = at.f.error + at.g.error;
+  return difference > error ? 1 : (difference < -error ? -1 : 0);
+}
+
+// The dot between, where the chords of two faces whose order differs at two dots cross.
+std::int32_t chord_crossing(const Pair& left, const Pair& right) {
+  const auto apart = [](const Pair& at) { return static_cast<std::uint64_t>(std::abs(at.f.z - at.g.z)); };
+  const int shift = std::max(0, static_cast<int>(std::bit_width(apart(left) | apart(right))) - 16);
+  const auto a = static_cast<std::uint32_t>(apart(left) >> shift);
+  const auto b = static_cast<std::uint32_t>(apart(right) >> shift);
+  const auto length = static_cast<std::uint32_t>(right.x - left.x);
+  return std::clamp(left.x + static_cast<std::int32_t>(length * a / (a + b)), left.x + 1, right.x - 1);
+}
+
+// -1: f nearer on all dots from `end` to `middle`, 1: g, 0: cannot tell. `other` lies beyond the middle.
+int nearer_between(const Pair& end, const Pair& middle, const Pair& other) {
+  std::int64_t error = 0;
+  for (const Pair* pair : {&end, &middle, &other}) {
+    if (pair->f.error < 0 || pair->g.error < 0) return 0;
+    error = std::max(error, pair->f.error + pair->g.error);
+  }
+  const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
+  const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
+  const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
+  const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
+  const std::int64_t difference = middle.f.z - middle.g.z;
+  const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
+  if (f.high - g.low < -ends && difference < -error) return -1;
+  if (f.low - g.high > ends && difference > error) return 1;
+  return 0;
+}
+
 }  // namespace
 
-void make_inverse(ActiveFace& face) {
-  const int bits = face.c[2].bit_length();
-  face.inverse =
-      static_cast<std::uint32_t>((std::uint64_t{1} << 61) / static_cast<std::uint64_t>(scaled(face.c[2], bits - 31)));
-  face.inverse_exponent = static_cast<std::int16_t>(bits + 30);
-}
-
-DepthLine::DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b)
-    : face_(face), y_(y - face.origin_y), a_(a), b_(b) {
-  if (face.kind == FaceKind::root) load_root(a - face.origin_x, y_, b - a);
-  if (face.kind == FaceKind::plane) load_plane(a - face.origin_x, y_, b - a);
-}
-
-// A unit is 2^unit of the face's own; -b stays below 2^30 units.
-void DepthLine::load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit) {
-  start_ = -scaled(start, unit - 16);
-  if (length > 0) slope_ = -scaled(slope, unit - 16);
-  const int up = unit - face_.inverse_exponent + depth_fraction;
-  shift_ = static_cast<std::int16_t>(std::min(-up, 63));
-  error_ = shift_ < 0 ? -1 : (std::int64_t{4} * face_.inverse >> shift_) + 3;
-}
-
-void DepthLine::load_plane(std::int32_t x, std::int32_t y, std::int32_t length) {
-  const Wide<128> start = face_.c[0].times(x) + face_.c[1].times(y) + face_.c[3];
-  load_numerator(length, start, face_.c[0], linear_bits(length, start, face_.c[0]) - 30);
-}
-
-void DepthLine::load_root(std::int32_t x, std::int32_t y, std::int32_t length) {
-  const ScaledQuadratic& form = face_.surface.discriminant;
-  d2_ = form.q[0];
-  d1_ = form.q[0].times(2 * x) + form.q[1].times(y) + form.q[3];
-  d0_ = form.at(x, y);
-  const Wide<128> start = face_.c[5].times(x) + face_.c[4].times(y) + face_.c[8];
-  const int exponent = form.exponent / 2;
-  // A rounded D must be off by less than a unit of what is kept.
-  const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
-  root_shift_ = static_cast<std::int16_t>(std::max({(quadratic_bits(length, d0_, d1_, d2_) - 59) >> 1, least,
-                                                    linear_bits(length, start, face_.c[5]) - 30 - exponent}));
-  load_numerator(length, start, face_.c[5], root_shift_ + exponent);
+DepthLine::DepthLine(const ActiveFace& face, std::int32_t y) : face_(face), y_(y - face.origin_y) {
+  const DepthBlock& k = face.block;
+  const std::int32_t s = y - k.y0;
+  b_ = k.b + k.by * s;
+  d_ = k.d + part(k.dy + k.dyy * s, s, k.y_bits);
+  dx_ = k.dx + k.dxy * s;
 }
 
 DepthSample DepthLine::at(std::int32_t x) const {
-  if (face_.kind == FaceKind::rational) return in_page(rational_depth(face_, x - face_.origin_x, y_));
-  if (error_ < 0) return unrepresentable;
-  const std::int32_t t = x - a_;
-  std::int64_t units = (start_ + slope_ * t) >> 16;
+  if (face_.kind == FaceKind::rational) return in_page(rational_depth(face_, x - face_.origin_x, y_), face_);
+  const DepthBlock& k = face_.block;
+  if (k.error < 0) return unrepresentable;
+  const std::int32_t t = x - k.x0;
+  std::int64_t units = -((b_ + k.bx * t) >> 16);
+  std::int64_t error = k.error;
   if (face_.kind == FaceKind::root) {
-    const std::int64_t d = scaled((d2_.times(t) + d1_).times(t) + d0_, 2 * root_shift_);
-    units += face_.sheet * static_cast<std::int64_t>(isqrt(static_cast<std::uint64_t>(std::max<std::int64_t>(d, 0))));
+    const std::int64_t d = d_ + part(dx_ + k.dxx * t, t, k.x_bits);
+    const std::int32_t root = d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
+    if (root < k.shallow) error = k.shallow_error;
+    units += face_.sheet * root;
   }
-  const std::int64_t z = (units * face_.inverse) >> shift_;
-  return in_page({z, error_ + ((z < 0 ? -z : z) >> 29)});
+  const std::int64_t z = (units * face_.inverse) >> k.shift;
+  return {z + face_.origin_z * (std::int64_t{1} << depth_fraction), error + ((z < 0 ? -z : z) >> 29)};
 }
 
-// Between its ends and its middle a face lies within the chords' strips (depth.hpp). Produced by the other half's length and a part in
-// `shorter`, a chord rises by no more than it does there, and that part: halves differ by a dot.
-DepthRange DepthLine::range() const {
-  constexpr DepthRange unknown{INT32_MIN, INT32_MAX, -1, 0, -1};
-  const std::int32_t shorter = (b_ - a_) / 2;
-  const DepthSample middle = at(a_ + shorter);
-  std::int64_t low = middle.z;
-  std::int64_t high = middle.z;
-  std::int64_t error = middle.error;
-  if (error < 0) return unknown;
-  for (const std::int32_t x : {a_, b_}) {
-    const DepthSample end = at(x);
-    if (end.error < 0) return unknown;
-    error = std::max(error, end.error);
-    const std::int64_t rise = end.z - middle.z;
-    const std::int64_t produced = shorter == 0 ? 0 : -(rise + (rise >> (bits_of(shorter) - 1)));
-    low = std::min({low, end.z, middle.z + produced});
-    high = std::max({high, end.z, middle.z + produced});
-  }
-  low -= 5 * error + 1;  // that of a value produced by twice its length, and of the shift
-  high += 5 * error + 1;
-  constexpr std::int64_t most = std::int64_t{INT32_MAX} << depth_fraction;
-  if (low < -most || high > most) return unknown;
-  const auto ceiling = static_cast<std::int32_t>(-(-high >> depth_fraction));
-  return {static_cast<std::int32_t>(low >> depth_fraction), ceiling, -1, 0, -1};
-}
-
-DepthSample DepthLine::in_page(DepthSample local) const {
-  constexpr std::int64_t most = largest_depth >> depth_fraction;
-  if (local.error < 0 || local.z > largest_depth || -local.z > largest_depth) return unrepresentable;
-  if (face_.origin_z > most || -face_.origin_z > most) return unrepresentable;
-  local.z += face_.origin_z * (std::int64_t{1} << depth_fraction);
-  return local.z > largest_depth || -local.z > largest_depth ? unrepresentable : local;
+void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters) {
+  if (face.kind != FaceKind::rational) return make_block(face, y, a, b);
+  counters.depth_samples += 3;
+  const Range range = range_of(DepthLine(face, y), a, b);
+  face.block.low = range.low;
+  face.block.high = range.high;
+  face.block.x0 = static_cast<std::int16_t>(a);
+  face.block.x1 = static_cast<std::int16_t>(b);
+  face.block.y0 = face.block.y1 = static_cast<std::int16_t>(y);
 }
 
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
                        const ExactModule& exact, Counters& counters)
-    : f_(f), g_(g), f_line_(f, y, a, b), g_line_(g, y, a, b), y_(y), exact_(exact), counters_(counters) {
+    : f_(f), g_(g), f_line_(f, y), g_line_(g, y), y_(y), exact_(exact), counters_(counters) {
   push(a, b, 0);
 }
 
@@ -209,7 +219,7 @@ void DepthOrder::push(std::int32_t a, std::int32_t b, int known) {
   stack_[depth_++] = {static_cast<std::int16_t>(a), static_cast<std::int16_t>(b), static_cast<std::int8_t>(known)};
 }
 
-DepthOrder::Pair DepthOrder::sample(std::int32_t x) {
+DepthPair DepthOrder::sample(std::int32_t x) {
   for (const Pair& pair : recent_) {
     if (pair.x == x) return pair;
   }
@@ -230,71 +240,78 @@ bool DepthOrder::one_surface() {
 
 // The face that shows at a dot.
 int DepthOrder::winner_at(std::int32_t x) {
-  const Pair at = sample(x);
-  if (at.f.error >= 0 && at.g.error >= 0) {
-    const std::int64_t difference = at.f.z - at.g.z;
-    if (difference > at.f.error + at.g.error) return 1;
-    if (-difference > at.f.error + at.g.error) return -1;
-  }
+  const int sure = sure_sign(sample(x));
+  if (sure != 0) return sure;
   if (one_surface()) return winner(0);
   ++counters_.exact_depths;
   return winner(exact_.compare_depth(f_, g_, x, y_));
 }
 
 // Where the ends settle what lies between: two dots, or two planes, whose distance is linear.
-bool DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
+DepthOrder::Step DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
   const int left = winner_at(run.a);
   const int right = run.a == run.b ? left : winner_at(run.b);
   piece = {run.b, left < 0};
-  if (left == right) return true;
+  if (left == right) return Step::settled;
   if (run.b - run.a > 1) {
     const std::int32_t m = run.a + (run.b - run.a) / 2;
     push(m + 1, run.b, 0);
     push(run.a, m, 0);
-    return false;
+    return Step::halved;
   }
   piece.end = run.a;
   push(run.b, run.b, right);
-  return true;
+  return Step::settled;
 }
 
-// -1: f nearer over the whole half run from `end` to recent_[1], +1: g, 0: cannot tell.
-int DepthOrder::nearer_half(const Pair& end, const Pair& other) const {
-  const Pair& middle = recent_[1];
-  std::int64_t error = 0;
-  for (const Pair& pair : recent_) {
-    if (pair.f.error < 0 || pair.g.error < 0) return 0;
-    error = std::max(error, pair.f.error + pair.g.error);
+// Cuts a run, at whose ends the order differs for sure, between the two dots where it changes.
+DepthOrder::Step DepthOrder::cross(const Run& run, Piece& piece) {
+  const Pair first = sample(run.a);
+  const Pair last = sample(run.b);
+  recent_[0] = first;
+  recent_[2] = last;
+  const int sign = sure_sign(first);
+  if (sign == 0 || sure_sign(last) != -sign) return Step::none;
+  --crossings_;
+  Pair left = first;
+  Pair right = last;
+  for (int step = 1; right.x - left.x > 1; ++step) {
+    const std::int32_t x = step % 3 == 0 ? left.x + (right.x - left.x) / 2 : chord_crossing(left, right);
+    counters_.depth_samples += 2;
+    const Pair at{x, f_line_.at(x), g_line_.at(x)};
+    const int here = sure_sign(at);
+    if (here == 0) return Step::none;
+    (here == sign ? left : right) = at;
   }
-  const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
-  const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
-  const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
-  const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
-  const std::int64_t difference = middle.f.z - middle.g.z;
-  const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
-  if (f.high - g.low < -ends && difference < -error) return -1;
-  if (f.low - g.high > ends && difference > error) return 1;
-  return 0;
+  const int before = left.x == run.a ? sign : nearer_between(first, left, right);
+  const int behind = right.x == run.b ? -sign : nearer_between(last, right, left);
+  push(right.x, run.b, behind);
+  piece = {left.x, before < 0};
+  if (before != 0) return Step::settled;
+  push(run.a, left.x, 0);
+  return Step::halved;
 }
 
 // Settles the run's left half, or leaves both halves on the stack.
-bool DepthOrder::halve(const Run& run, Piece& piece) {
+DepthOrder::Step DepthOrder::halve(const Run& run, Piece& piece) {
   const std::int32_t m = run.a + (run.b - run.a) / 2;
-  const Pair now[3] = {sample(run.a), sample(m), sample(run.b)};
-  std::copy(now, now + 3, recent_);
-  const int left = nearer_half(recent_[0], recent_[2]);
-  const int right = nearer_half(recent_[2], recent_[0]);
+  const Pair last = sample(run.b);
+  if (recent_[0].x != run.a) recent_[0] = sample(run.a);
+  recent_[1] = sample(m);
+  recent_[2] = last;
+  const int left = nearer_between(recent_[0], recent_[1], recent_[2]);
+  const int right = nearer_between(recent_[2], recent_[1], recent_[0]);
   if (left == right && (left != 0 || one_surface())) {
     piece = {run.b, winner(left) < 0};
-    return true;
+    return Step::settled;
   }
   push(m + 1, run.b, right);
   if (left == 0) {
     push(run.a, m, 0);
-    return false;
+    return Step::halved;
   }
   piece = {m, left < 0};
-  return true;
+  return Step::settled;
 }
 
 DepthOrder::Piece DepthOrder::next() {
@@ -303,7 +320,10 @@ DepthOrder::Piece DepthOrder::next() {
   for (;;) {
     const Run run = stack_[--depth_];
     if (run.known != 0) return {run.b, run.known < 0};
-    if (planes || run.b - run.a < 2 ? settle_by_ends(run, piece) : halve(run, piece)) return piece;
+    Step step = Step::none;
+    if (run.b - run.a > 1 && crossings_ > 0) step = cross(run, piece);
+    if (step == Step::none) step = planes || run.b - run.a < 2 ? settle_by_ends(run, piece) : halve(run, piece);
+    if (step == Step::settled) return piece;
   }
 }
 

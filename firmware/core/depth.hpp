@@ -6,13 +6,16 @@
 //   If these strips of two faces do not overlap, their order is settled for the whole half run; otherwise the half is halved
 //   again, down to single dots, which are decided exactly (exact.hpp). Two sheets of one surface tie everywhere.
 // Cost    Proportional to the number of crossings times the logarithm of the run, not to the run's length.
-// Memory  A stack of 16 runs: one of at most 2^15 dots is halved at most 14 times, down to two dots, and leaves one behind each
-//         time.
+//   Where the order differs at a and b, the two dots m, m + 1 between which it changes are sought; then m is the middle and the other dot
+//   of both lines. Two conics cross four times at most.
+// Memory  A stack of 19 runs: one of at most 2^15 dots is halved at most 14 times, down to two dots, cut at a crossing four times, and
+//         leaves one behind each time.
 // Source  Ressler 1985, 5.5.1 compares depths where an edge enters; interpenetrating bodies are not in the paper.
 #pragma once
 
 #include <cstdint>
 
+#include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/face.hpp"
 
@@ -40,37 +43,38 @@ struct DepthSample {
   std::int64_t z = 0;
   std::int64_t error = 0;  // negative: not representable, ask exactly
 };
-inline constexpr int depth_fraction = 16;
 
-// Fills what a depth is divided by; a plane or a root face needs it once, when it enters. c2 > 0.
-void make_inverse(ActiveFace& face);
-
-// A face on dots a .. b of scan line y, where it exists.
-//   plane, root   z = (-b(t) + sheet sqrt(D(t))) / c2, t = x - a: what depends on y alone is computed once, and so is the error
+// A face on one line, where it exists. Planes and root faces need a block that holds it.
+//   plane, root   z = (-b + sheet sqrt(D)) / c2 by the block's forms
 //   rational      z = -c / (2 b), dot by dot
 class DepthLine {
  public:
-  DepthLine(const ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
+  DepthLine(const ActiveFace& face, std::int32_t y);
   [[nodiscard]] DepthSample at(std::int32_t x) const;
-  // On all dots of the run: from three samples.
-  [[nodiscard]] DepthRange range() const;
 
  private:
-  void load_root(std::int32_t x, std::int32_t y, std::int32_t length);
-  void load_plane(std::int32_t x, std::int32_t y, std::int32_t length);
-  void load_numerator(std::int32_t length, const Wide<128>& start, const Wide<128>& slope, int unit);
-  [[nodiscard]] DepthSample in_page(DepthSample local) const;
-
   const ActiveFace& face_;
-  std::int32_t y_, a_, b_;
-  std::int64_t start_ = 0, slope_ = 0;  // of -b, in 2^-16 units
-  Wide<128> d2_, d1_, d0_;              // D
-  std::int16_t root_shift_ = 0;         // D 2^-2root_shift is in squares of units
-  std::int16_t shift_ = 0;              // z = units * inverse >> shift
-  std::int64_t error_ = 0;
+  std::int32_t y_;                       // page, rational: local
+  std::int64_t b_ = 0, d_ = 0, dx_ = 0;  // the block's forms at its first dot of the line
 };
 
-// The order of two faces along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
+// Makes the face's block hold dots a .. b of line y. A rational face's bounds are from three samples and good for the line alone.
+void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b, Counters& counters);
+
+// The same, at the cost of a look where it does already.
+[[nodiscard]] inline const DepthBlock& bounded(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b,
+                                               Counters& counters) {
+  if (!face.block.holds(y, a, b)) bound_depth(face, y, a, b, counters);
+  return face.block;
+}
+
+// Two faces at a dot.
+struct DepthPair {
+  std::int32_t x = -1;
+  DepthSample f, g;
+};
+
+// The order of two faces, whose blocks hold the run, along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {
  public:
@@ -86,23 +90,22 @@ class DepthOrder {
   Piece next();
 
  private:
+  static constexpr int most_crossings = 4;  // of two conics
+
   struct Run {
     std::int16_t a, b;
     std::int8_t known;  // -1: f shows, +1: g shows, 0: not settled yet
   };
-  // Both faces at a dot.
-  struct Pair {
-    std::int32_t x = -1;
-    DepthSample f, g;
-  };
+  enum class Step : std::uint8_t { settled, halved, none };
+
   void push(std::int32_t a, std::int32_t b, int known);
-  bool halve(const Run& run, Piece& piece);
-  bool settle_by_ends(const Run& run, Piece& piece);
-  [[nodiscard]] int nearer_half(const Pair& end, const Pair& other) const;
+  Step cross(const Run& run, Piece& piece);
+  Step halve(const Run& run, Piece& piece);
+  Step settle_by_ends(const Run& run, Piece& piece);
   [[nodiscard]] int winner(int sign) const;
   [[nodiscard]] int winner_at(std::int32_t x);
   [[nodiscard]] bool one_surface();
-  [[nodiscard]] Pair sample(std::int32_t x);
+  [[nodiscard]] DepthPair sample(std::int32_t x);
 
   const ActiveFace& f_;
   const ActiveFace& g_;
@@ -110,9 +113,10 @@ class DepthOrder {
   std::int32_t y_;
   const ExactModule& exact_;
   Counters& counters_;
-  Pair recent_[3];  // a halved run's: half of it asks for two of them again
+  DepthPair recent_[3];  // a halved run's: half of it asks for two of them again
   bool compared_ = false, one_surface_ = false;
-  Run stack_[16];
+  int crossings_ = most_crossings;  // that may still be sought
+  Run stack_[15 + most_crossings];
   int depth_ = 0;
 };
 

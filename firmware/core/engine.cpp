@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
 #include "firmware/core/root_surface.hpp"
@@ -24,6 +25,7 @@ struct CellSlot {
   std::int16_t last = -1;                         // scan line
   std::int16_t x0 = 0, x1 = -1;                   // dots on the current line
   bool fixed = false;
+  bool rational = false;  // its face: some dots may have no depth
 };
 
 // Carves pools out of the caller's memory, each aligned to 8 bytes. With no memory it only counts.
@@ -109,6 +111,7 @@ class Engine {
         modules_(modules),
         exact_(exact),
         band_rows_(band_rows),
+        arc_bytes_(static_cast<std::size_t>(state_bytes(header))),
         result_(result),
         spans_(pools.spans, pools.faces, exact, result.counters),
         painter_(header.page, pools.row, pools.patterns),
@@ -191,11 +194,9 @@ class Engine {
     ActiveFace& face = p_.faces[number];
     read_face(in_, type_, face);
     if (!has_depth(face)) return fail(DrawStatus::bad_record);
-    if (face.kind != FaceKind::rational) make_inverse(face);
+    make_depth(face);
     if (face.kind == FaceKind::plane) return;
-    const FaceModule* module = module_of(face.kind);
-    if (module == nullptr) return fail(DrawStatus::missing_module);
-    module->enter(face, h_.lighting);
+    if (module_of(face.kind) == nullptr) return fail(DrawStatus::missing_module);
     ++result_.counters.curved_faces;
     if (number < p_.contours.size()) {
       const std::size_t words = straight_block_words(h_.page.levels);
@@ -261,29 +262,26 @@ class Engine {
       return fail(DrawStatus::bad_record);
     }
     p_.cells[number] = cell;
+    p_.cells[number].rational = p_.faces[cell.face].kind == FaceKind::rational;
     p_.active_cells[active_cell_count_++] = number;
   }
 
-  void* state(std::uint16_t arc) {
-    return p_.arc_states.data() + static_cast<std::size_t>(arc) * static_cast<std::size_t>(state_bytes(h_));
-  }
+  void* state(std::uint16_t arc) { return p_.arc_states.data() + arc * arc_bytes_; }
 
   // --- the sweep ---
 
   // Steps the arcs to scan line y; arcs and cells whose last line has passed leave.
   void advance(std::int32_t y) {
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < active_arc_count_; ++i) {
-      const std::uint16_t number = p_.active_arcs[i];
-      ArcSlot& arc = p_.arcs[number];
+    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
+      const ArcSlot& arc = p_.arcs[number];
       if (arc.last < y) continue;
       arc.module->step_down(state(number));
       p_.active_arcs[kept++] = number;
     }
     active_arc_count_ = kept;
     kept = 0;
-    for (std::size_t i = 0; i < active_cell_count_; ++i) {
-      const std::uint16_t number = p_.active_cells[i];
+    for (const std::uint16_t number : p_.active_cells.first(active_cell_count_)) {
       if (p_.cells[number].last >= y) p_.active_cells[kept++] = number;
     }
     active_cell_count_ = kept;
@@ -291,9 +289,9 @@ class Engine {
 
   // After the line's records: an arc may have entered on it, or come to its next window.
   void settle_arcs() {
-    for (std::size_t i = 0; i < active_arc_count_; ++i) {
-      const std::uint16_t number = p_.active_arcs[i];
-      p_.arcs[number].crossing = p_.arcs[number].module->settle(state(number));
+    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
+      ArcSlot& arc = p_.arcs[number];
+      arc.crossing = arc.module->settle(state(number));
     }
   }
 
@@ -303,8 +301,8 @@ class Engine {
       cell.x0 = cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.arcs[cell.left].crossing.at_or_right;
       cell.x1 = static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
     }
+    if (!cell.rational) return;
     const ActiveFace& face = p_.faces[cell.face];
-    if (face.kind != FaceKind::rational) return;
     while (cell.x0 <= cell.x1 && is_absent(face, cell.x0, y)) ++cell.x0;
     while (cell.x0 <= cell.x1 && is_absent(face, cell.x1, y)) --cell.x1;
   }
@@ -312,15 +310,16 @@ class Engine {
   // Places every active cell and keeps the list in ascending order of first dots: nearly sorted from the line
   // before.
   void sort_cells(std::int32_t y) {
+    std::uint16_t* list = p_.active_cells.data();
+    CellSlot* cells = p_.cells.data();
     for (std::size_t i = 0; i < active_cell_count_; ++i) {
-      const std::uint16_t number = p_.active_cells[i];
-      place(p_.cells[number], y);
+      const std::uint16_t number = list[i];
+      place(cells[number], y);
+      const std::int16_t x0 = cells[number].x0;
       std::size_t j = i;
-      for (; j > 0 && p_.cells[p_.active_cells[j - 1]].x0 > p_.cells[number].x0; --j) {
-        p_.active_cells[j] = p_.active_cells[j - 1];
-        ++result_.counters.edge_swaps;
-      }
-      p_.active_cells[j] = number;
+      for (; j > 0 && cells[list[j - 1]].x0 > x0; --j) list[j] = list[j - 1];
+      list[j] = number;
+      result_.counters.edge_swaps += static_cast<std::uint32_t>(i - j);
     }
   }
 
@@ -346,14 +345,17 @@ class Engine {
   }
 
   void shade_curved(const Span& span, std::int32_t y) {
-    const ActiveFace& face = p_.faces[span.face];
+    ActiveFace& face = p_.faces[span.face];
+    const FaceModule& module = *module_of(face.kind);
+    if (!face.ready) module.enter(face, h_.lighting);
+    face.ready = true;
     ShadeJob job{face, h_.lighting, levels_, exact_, painter_, result_.counters, options_.stride, nullptr, p_.scratch};
     if (span.face < p_.contours.size() && wants_contours()) {
       job.contours = &p_.contours[span.face];
     }
     const std::uint32_t runs = result_.counters.level_spans;
     if (job.contours == nullptr || !modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) {
-      module_of(face.kind)->shade(job, options_.shader, y, span.x0, span.x1);
+      module.shade(job, options_.shader, y, span.x0, span.x1);
     }
     if (job.contours == nullptr) return;
     job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
@@ -395,6 +397,7 @@ class Engine {
   const Modules& modules_;
   const ExactModule& exact_;
   std::int32_t band_rows_;
+  std::size_t arc_bytes_;
   DrawResult& result_;
   SpanList spans_;
   RowPainter painter_;

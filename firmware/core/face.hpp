@@ -46,25 +46,53 @@ struct RootSurface {
   ScaledLinear square_root;
 };
 
-// Whole dots of page depth between which a face lies on dots x0 .. x1 of line y: span_list.cpp.
-struct DepthRange {
-  std::int32_t low = 0, high = 0;
-  std::int16_t y = -1, x0 = 0, x1 = -1;
+// Where a face lies on dots x0 .. x1 of lines y0 .. y1, and for planes and root faces its depth there, in 64 bits: depth_block.hpp.
+// With t = x - x0, s = y - y0, and n = -b + sheet sqrt(D) in units of the block's own, z = n inverse 2^-shift:
+//   -b  b + bx t + by s                                               in 2^-16 units
+//   D   d + (dy + dyy s) s + (dx + dxy s + dxx t) t                   d in squares of units; dy, dyy in 2^-y_bits parts of them,
+//                                                                     dx, dxy, dxx in 2^-x_bits
+struct DepthBlock {
+  std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+  std::int32_t low = 0, high = 0;  // whole dots of page depth
+  std::int64_t b = 0, bx = 0, by = 0;
+  std::int64_t d = 0, dx = 0, dy = 0, dxx = 0, dxy = 0, dyy = 0;
+  std::int64_t error = 0,
+               shallow_error = 0;  // of a depth where the root is at least `shallow`, and below; negative: unknown
+  std::int32_t shallow = 0;
+  std::int8_t x_bits = 0, y_bits = 0, shift = 0;
+
+  [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {
+    return y0 <= y && y <= y1 && x0 <= from && to <= x1;
+  }
+};
+
+// What is known of a face and a rival on dots x0 .. x1 of lines y0 .. y1: -1, the face is the nearer one; 1, the rival is; 0, it takes a
+// closer look. A rival is told by its order, which no other face has.
+struct DepthProof {
+  std::uint32_t rival = 0;
+  std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
+  std::int8_t nearer = 0;
+
+  [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {
+    return y0 <= y && y <= y1 && x0 <= from && to <= x1;
+  }
 };
 
 struct ActiveFace {
+  DepthBlock block;                  // about the dots last asked for
+  std::array<DepthProof, 2> proofs;  // the newest first
   std::array<Wide<128>, 10> c;
   RootSurface surface;  // of a root face
-  DepthRange range;     // on the last line that asked for it
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
-  std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_inverse()
+  std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_depth()
   std::int16_t inverse_exponent = 0;
   std::uint32_t order = 0;  // of equally near faces the lowest wins
   FaceKind kind = FaceKind::plane;
   std::int8_t sheet = 0;       // root: -1 front, +1 back
   std::int8_t light_sign = 1;  // -1: the outward normal is against the gradient
   std::uint8_t level = 0;      // plane: its one level
+  bool ready = false;          // curved: FaceModule::enter was called, as a dot of it was seen
 };
 
 // A depth divides by c2 (face.c): a slot that no record filled, or a record that lies, has none.
@@ -82,6 +110,9 @@ inline void read_face(JobReader& in, Record type, ActiveFace& face) {
               : type == Record::root_face ? FaceKind::root
                                           : FaceKind::rational;
   face.sheet = 0;
+  face.block = {};
+  face.proofs = {};
+  face.ready = false;
   if (face.kind == FaceKind::plane) {
     face.level = in.byte();
   } else {

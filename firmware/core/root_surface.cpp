@@ -19,16 +19,20 @@ NormalMatrix normal_matrix(const ActiveFace& f, const Lighting& lighting) {
   return m;
 }
 
-// Bits of the widest integer below, |N|^2: with coefficients of c bits and factors of m, a gradient's u takes 2c + 1, the normal's
+int coefficient_bits(const ActiveFace& f) {
+  int bits = 0;
+  for (const Wide<128>& value : f.c) bits = std::max(bits, value.bit_length());
+  return bits;
+}
+
+// Bits of the widest integer of a surface, |N|^2: with coefficients of c bits and factors of m, a gradient's u takes 2c + 1, the normal's
 // 2c + m + 3 and v c + m + 2, three squares of u 4c + 2m + 9, and with v^2 D, D of 2c + 3, 4c + 2m + 11; and a sign.
 int bits_needed(const ActiveFace& f, const NormalMatrix& matrix) {
-  int c = 0;
   int m = 0;
-  for (const Wide<128>& value : f.c) c = std::max(c, value.bit_length());
   for (const auto& row : matrix) {
     for (const Wide<128>& value : row) m = std::max(m, value.bit_length());
   }
-  return 4 * c + 2 * m + 12;
+  return 4 * coefficient_bits(f) + 2 * m + 12;
 }
 
 Wide<128> shifted(const auto& value, int shift) { return Wide<128>(shift >= 0 ? value >> shift : value << -shift); }
@@ -37,16 +41,21 @@ Wide<128> shifted(const auto& value, int shift) { return Wide<128>(shift >= 0 ? 
 template <int Bits>
 class Maker {
  public:
-  Maker(const ActiveFace& face, const NormalMatrix& matrix) : f_(face), matrix_(matrix) {}
+  explicit Maker(const ActiveFace& face) : f_(face) {}
 
-  void make(const Lighting& lighting, RootSurface& s) const {
+  void make_discriminant(ScaledQuadratic& out) const {
+    const ExactQuadratic d = discriminant();
+    scale_to(out, d, std::max(0, bits(d) - value_bits + 1) / 2 * 2);
+  }
+
+  void make(const Lighting& lighting, const NormalMatrix& matrix, RootSurface& s) const {
     const ExactQuadratic d = discriminant();
     Component light;
     ExactQuadratic square{};
     ExactLinear square_root{};
     Int v2;
     for (int i = 0; i < 3; ++i) {
-      const Component n = normal(i);
+      const Component n = normal(matrix[i]);
       const Int l(static_cast<std::int64_t>(lighting.light[i]) * f_.light_sign);
       for (int k = 0; k < 3; ++k) {
         light.u[k] += l * n.u[k];
@@ -58,8 +67,7 @@ class Maker {
     }
     for (int i = 0; i < 6; ++i) square[i] += v2 * d[i];
 
-    const int half = std::max(0, bits(d) - value_bits + 1) / 2;
-    scale_to(s.discriminant, d, 2 * half);
+    const int half = s.discriminant.exponent / 2;
     const int root_bits = (bits(d) + 1) / 2;
     const int light_exponent = std::max(0, std::max(bits(light.u), light.v.bit_length() + root_bits) - value_bits);
     scale_to(s.light, light.u, light_exponent, light_exponent);
@@ -119,10 +127,10 @@ class Maker {
     return g;
   }
 
-  [[nodiscard]] Component normal(int i) const {
+  [[nodiscard]] Component normal(const std::array<Wide<128>, 4>& row) const {
     Component n;
     for (int j = 0; j < 4; ++j) {
-      const Int m(matrix_[i][j]);
+      const Int m(row[j]);
       if (m.is_zero()) continue;
       const Component g = gradient(j);
       for (int k = 0; k < 3; ++k) n.u[k] += m * g.u[k];
@@ -145,17 +153,24 @@ class Maker {
   }
 
   const ActiveFace& f_;
-  const NormalMatrix& matrix_;
 };
 
 }  // namespace
 
+void make_discriminant(ActiveFace& face) {
+  if (2 * coefficient_bits(face) + 4 <= 128) {
+    Maker<128>(face).make_discriminant(face.surface.discriminant);
+  } else {
+    Maker<256>(face).make_discriminant(face.surface.discriminant);
+  }
+}
+
 void make_root_surface(ActiveFace& face, const Lighting& lighting) {
   const NormalMatrix matrix = normal_matrix(face, lighting);
   if (bits_needed(face, matrix) <= 256) {
-    Maker<256>(face, matrix).make(lighting, face.surface);
+    Maker<256>(face).make(lighting, matrix, face.surface);
   } else {
-    Maker<512>(face, matrix).make(lighting, face.surface);
+    Maker<512>(face).make(lighting, matrix, face.surface);
   }
 }
 

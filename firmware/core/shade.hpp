@@ -47,7 +47,7 @@ struct ShadeJob {
 void shade_root_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
 void shade_rational_span(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);
 
-// A kind of curved face: what it computes once when it enters, and its shader. Linked only where a table of modules names it.
+// A kind of curved face: what it computes once, before its first dot is shaded, and its shader. Linked only where a table of modules names it.
 struct FaceModule {
   void (*enter)(ActiveFace& face, const Lighting& lighting);
   void (*shade)(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1);

@@ -38,26 +38,11 @@ void SpanList::remove(std::uint16_t slot) {
   free_ = slot;
 }
 
-// Where a face lies over at least this stretch of the line; kept, as the cells and spans beside it ask again.
-const DepthRange& SpanList::range_of(const Stretch& stretch) {
-  ActiveFace& face = faces_[stretch.face];
-  if (face.range.y == y_ && face.range.x0 <= stretch.x0 && stretch.x1 <= face.range.x1) return face.range;
-  face.range = DepthLine(face, y_, stretch.x0, stretch.x1).range();
-  counters_.depth_samples += 3;
-  face.range.y = static_cast<std::int16_t>(y_);
-  face.range.x0 = static_cast<std::int16_t>(stretch.x0);
-  face.range.x1 = static_cast<std::int16_t>(stretch.x1);
-  return face.range;
-}
-
-// Dots x0 .. x1, all covered by `old`'s face until now: the nearer of both, at once where their depths are apart, or piece by piece.
-bool SpanList::merge(const Stretch& cell, const Span& old, std::int32_t x0, std::int32_t x1) {
-  const std::uint16_t face = cell.face;
-  const std::uint16_t old_face = old.face;
-  const DepthRange& range = range_of(cell);
-  const DepthRange& old_range = range_of({old_face, old.x0, old.x1});
-  if (range.high < old_range.low) return add(face, x0, x1);
-  if (old_range.high < range.low) return add(old_face, x0, x1);
+// Dots x0 .. x1, all covered by the old face until now: the nearer of both, piece by piece.
+bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
+  const bool curved = faces_[face].kind != FaceKind::rational && faces_[old_face].kind != FaceKind::rational;
+  const int nearer = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : 0;
+  if (nearer != 0) return add(nearer < 0 ? face : old_face, x0, x1);
   DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();
@@ -69,16 +54,25 @@ bool SpanList::merge(const Stretch& cell, const Span& old, std::int32_t x0, std:
 
 bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
   ++counters_.face_inserts;
-  std::uint16_t current = hint_ == no_slot ? first_ : pool_[hint_].next;
-  while (current != no_slot && pool_[current].x1 < x0) {
+  const Span* const pool = pool_.data();
+  const ActiveFace* const faces = faces_.data();
+  std::uint16_t current = hint_ == no_slot ? first_ : pool[hint_].next;
+  while (current != no_slot && pool[current].x1 < x0) {
     hint_ = current;
-    current = pool_[current].next;
+    current = pool[current].next;
   }
   last_ = hint_;
-  const Stretch cell{face, x0, x1};
+  const DepthBlock& block = bounded(faces_[face], y_, x0, x1, counters_);
   while (x0 <= x1) {
-    if (current == no_slot || pool_[current].x0 > x1) return add(face, x0, x1);
-    const Span old = pool_[current];
+    // Spans that lie in front altogether stay as they are.
+    while (current != no_slot && pool[current].x0 <= x0 && faces[pool[current].face].block.high < block.low) {
+      last_ = current;
+      x0 = pool[current].x1 + 1;
+      if (x0 > x1) return true;
+      current = pool[current].next;
+    }
+    if (current == no_slot || pool[current].x0 > x1) return add(face, x0, x1);
+    const Span old = pool[current];
     if (x0 < old.x0) {
       if (!add(face, x0, old.x0 - 1)) return false;
       x0 = old.x0;
@@ -86,9 +80,10 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
     }
     // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
+    const bool nearer = block.high < faces[old.face].block.low;
     remove(current);
     if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
-    if (!merge(cell, old, x0, end)) return false;
+    if (!(nearer ? add(face, x0, end) : contest(face, old.face, x0, end))) return false;
     if (end < old.x1) return add(old.face, end + 1, old.x1);
     x0 = end + 1;
     current = old.next;

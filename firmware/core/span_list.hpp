@@ -39,13 +39,7 @@ class SpanList {
  private:
   bool add(std::uint16_t face, std::int32_t x0, std::int32_t x1);
   void remove(std::uint16_t slot);
-  // Dots x0 .. x1 of a face: all of the cell that is being merged, and all of a span.
-  struct Stretch {
-    std::uint16_t face;
-    std::int32_t x0, x1;
-  };
-  [[nodiscard]] const DepthRange& range_of(const Stretch& stretch);
-  bool merge(const Stretch& cell, const Span& old, std::int32_t x0, std::int32_t x1);
+  bool contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1);
 
   std::span<Span> pool_;
   std::span<ActiveFace> faces_;

@@ -62,11 +62,13 @@ std::uint8_t screen_rank(Screen screen, std::int32_t x, std::int32_t y) {
 }
 
 void make_patterns(Screen screen, std::int32_t levels, std::span<PatternRow> rows) {
-  for (std::int32_t k = 0; k < levels; ++k) {
-    const std::int32_t inked = inked_dots(k, levels);
-    for (std::int32_t y = 0; y < cell_side; ++y) {
+  for (std::int32_t y = 0; y < cell_side; ++y) {
+    std::array<std::uint8_t, cell_side> ranks;
+    for (std::int32_t x = 0; x < cell_side; ++x) ranks[static_cast<std::size_t>(x)] = screen_rank(screen, x, y);
+    for (std::int32_t k = 0; k < levels; ++k) {
+      const std::int32_t inked = inked_dots(k, levels);
       unsigned row = 0;
-      for (std::int32_t x = 0; x < cell_side; ++x) row = row << 1 | (screen_rank(screen, x, y) < inked ? 1U : 0U);
+      for (const std::uint8_t rank : ranks) row = row << 1 | (rank < inked ? 1U : 0U);
       rows[static_cast<std::size_t>(k * cell_side + y)] = static_cast<PatternRow>(row);
     }
   }
@@ -88,9 +90,19 @@ void BilevelRow::fill(std::int32_t x0, std::int32_t x1, PatternRow pattern) {
   put(last, right);
 }
 
+// Four bytes at once: compilers make one store of them where the machine allows it.
 void BilevelRow::copy_to(std::span<std::uint8_t> bytes, std::int32_t width) const {
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    bytes[i] = static_cast<std::uint8_t>(words_[i / 4] >> (24 - i % 4 * 8));
+  std::uint8_t* to = bytes.data();
+  const std::size_t whole = bytes.size() / 4;
+  for (const std::uint32_t word : words_.first(whole)) {
+    to[0] = static_cast<std::uint8_t>(word >> 24);
+    to[1] = static_cast<std::uint8_t>(word >> 16);
+    to[2] = static_cast<std::uint8_t>(word >> 8);
+    to[3] = static_cast<std::uint8_t>(word);
+    to += 4;
+  }
+  for (std::size_t i = 4 * whole; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<std::uint8_t>(words_[whole] >> (24 - i % 4 * 8));
   }
   if (width % 8 != 0) bytes.back() &= static_cast<std::uint8_t>(0xff00U >> (width % 8));
 }

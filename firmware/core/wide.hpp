@@ -57,30 +57,34 @@ class Wide {
   }
   constexpr int sign() const { return negative() ? -1 : (is_zero() ? 0 : 1); }
 
+  // Two limbs at a time: what carries shows as a sum that is less than a term.
   constexpr Wide& operator+=(const Wide& o) {
-    if constexpr (is_pair) return *this = of_pair(pair() + o.pair());
-    Limb carry = 0;
-    for (int i = 0; i < limbs; ++i) {
-      const DoubleLimb sum = static_cast<DoubleLimb>(limb_[i]) + o.limb_[i] + carry;
-      limb_[i] = static_cast<Limb>(sum);
-      carry = static_cast<Limb>(sum >> limb_bits);
+    DoubleLimb carry = 0;
+    for (int i = 0; i < limbs - 1; i += 2) {
+      const DoubleLimb sum = pair(i) + o.pair(i);
+      const DoubleLimb all = sum + carry;
+      carry = static_cast<DoubleLimb>(sum < o.pair(i)) | static_cast<DoubleLimb>(all < sum);
+      set_pair(i, all);
     }
+    if constexpr (limbs % 2 != 0) limb_[limbs - 1] += o.limb_[limbs - 1] + static_cast<Limb>(carry);
     return *this;
   }
   constexpr Wide& operator-=(const Wide& o) {
-    if constexpr (is_pair) return *this = of_pair(pair() - o.pair());
-    Limb borrow = 0;
-    for (int i = 0; i < limbs; ++i) {
-      const DoubleLimb difference = static_cast<DoubleLimb>(limb_[i]) - o.limb_[i] - borrow;
-      limb_[i] = static_cast<Limb>(difference);
-      borrow = static_cast<Limb>(difference >> limb_bits) & 1U;
+    DoubleLimb borrow = 0;
+    for (int i = 0; i < limbs - 1; i += 2) {
+      const DoubleLimb difference = pair(i) - o.pair(i);
+      const DoubleLimb all = difference - borrow;
+      borrow = static_cast<DoubleLimb>(pair(i) < o.pair(i)) | static_cast<DoubleLimb>(difference < borrow);
+      set_pair(i, all);
     }
+    if constexpr (limbs % 2 != 0) limb_[limbs - 1] -= o.limb_[limbs - 1] + static_cast<Limb>(borrow);
     return *this;
   }
   friend constexpr Wide operator+(Wide a, const Wide& b) { return a += b; }
   friend constexpr Wide operator-(Wide a, const Wide& b) { return a -= b; }
   constexpr Wide operator-() const { return Wide() - *this; }
   friend constexpr Wide operator*(const Wide& a, const Wide& b) {
+    if constexpr (is_pair) return of_pair(a.pair() * b.pair());
     const bool negate = a.negative() != b.negative();
     const Wide product = multiply_magnitudes(a.magnitude(), b.magnitude());
     return negate ? -product : product;
@@ -158,12 +162,16 @@ class Wide {
  private:
   // Two limbs are one integer that the compiler knows.
   static constexpr bool is_pair = limbs == 2;
-  constexpr DoubleLimb pair() const { return static_cast<DoubleLimb>(limb_[1]) << limb_bits | limb_[0]; }
+  constexpr DoubleLimb pair(int i) const { return static_cast<DoubleLimb>(limb_[i + 1]) << limb_bits | limb_[i]; }
+  constexpr void set_pair(int i, DoubleLimb value) {
+    limb_[i] = static_cast<Limb>(value);
+    limb_[i + 1] = static_cast<Limb>(value >> limb_bits);
+  }
+  constexpr DoubleLimb pair() const { return pair(0); }
   constexpr SignedDoubleLimb signed_pair() const { return static_cast<SignedDoubleLimb>(pair()); }
   static constexpr Wide of_pair(DoubleLimb value) {
     Wide r;
-    r.limb_[0] = static_cast<Limb>(value);
-    r.limb_[1] = static_cast<Limb>(value >> limb_bits);
+    r.set_pair(0, value);
     return r;
   }
 

@@ -24,16 +24,28 @@ TestFace any_face(Dice& dice, const Lighting& lighting) {
   }
 }
 
+DepthSample sample_at(ActiveFace& face, std::int32_t x, std::int32_t y, std::int32_t reach) {
+  Counters counters;
+  bound_depth(face, y, std::max(0, x - reach), x + reach, counters);
+  return DepthLine(face, y).at(x);
+}
+
+DepthOrder order_of(TestFace& f, TestFace& g, std::int32_t y, DotRun run, const ExactModule& exact,
+                    Counters& counters) {
+  for (TestFace* face : {&f, &g}) bound_depth(face->active, y, run.x0, run.x1, counters);
+  return {f.active, g.active, y, run.x0, run.x1, exact, counters};
+}
+
 // |z - p| d <= error d, z and error in 2^-16 dot: two signs decide.
 TEST(SampleDepth, TheTrueDepthLiesWithinItsError) {
   Dice dice(10);
   int samples = 0;
   for (int trial = 0; trial < 6000; ++trial) {
-    const TestFace face = any_face(dice, random_lighting(dice));
+    TestFace face = any_face(dice, random_lighting(dice));
     const auto x = static_cast<std::int32_t>(between(dice, 0, side - 1));
     const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
     const auto exact = testing::depth_at(face, x, y);
-    const DepthSample sample = DepthLine(face.active, y, std::max(0, x - 20), x + 20).at(x);
+    const DepthSample sample = sample_at(face.active, x, y, 20);
     if (!exact || sample.error < 0) continue;
     ++samples;
     const mpz_class scale = mpz_class(1) << depth_fraction;
@@ -51,12 +63,79 @@ TEST(SampleDepth, OrdinarySolidsAreKnownToAThousandthOfADot) {
   Dice dice(11);
   const Lighting lighting = random_lighting(dice);
   for (int trial = 0; trial < 2000; ++trial) {
-    const TestFace face = solid_face(dice, 40, 40, 30, lighting);
+    TestFace face = solid_face(dice, 40, 40, 30, lighting);
     if (face.active.kind != FaceKind::root || !testing::depth_at(face, 41, 39)) continue;
-    const DepthSample sample = DepthLine(face.active, 39, 41, 41).at(41);
+    const DepthSample sample = sample_at(face.active, 41, 39, 0);
     ASSERT_GE(sample.error, 0);
     ASSERT_LT(sample.error, 64) << "z " << sample.z;
   }
+}
+
+// On every dot that a block holds, also those that nobody asked for.
+TEST(DepthBlock, HoldsTheTrueDepthOfAllItsDots) {
+  Dice dice(14);
+  int dots = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    TestFace face = any_face(dice, random_lighting(dice));
+    if (face.active.kind == FaceKind::rational) continue;
+    const auto a = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto b = static_cast<std::int32_t>(between(dice, a, side - 1));
+    make_block(face.active, static_cast<std::int32_t>(between(dice, 0, side - 1)), a, b);
+    const DepthBlock& block = face.active.block;
+    if (block.error < 0) continue;
+    ASSERT_LE(block.x0, a);
+    ASSERT_GE(block.x1, b);
+    for (int i = 0; i < 20; ++i) {
+      const auto x = static_cast<std::int32_t>(i == 0 ? block.x0 : between(dice, block.x0, block.x1));
+      const auto y = static_cast<std::int32_t>(i == 1 ? block.y1 : between(dice, block.y0, block.y1));
+      const auto exact = testing::depth_at(face, x, y);
+      if (!exact) continue;
+      ++dots;
+      ASSERT_GE(sign_of_sum(exact->p - to_mpz(block.low) * exact->d, exact->s, exact->q), 0) << "trial " << trial;
+      ASSERT_LE(sign_of_sum(exact->p - to_mpz(block.high) * exact->d, exact->s, exact->q), 0) << "trial " << trial;
+      const DepthSample sample = DepthLine(face.active, y).at(x);
+      const mpz_class scale = mpz_class(1) << depth_fraction;
+      for (const int side_of : {-1, 1}) {
+        const mpz_class limit = to_mpz(sample.z + side_of * sample.error);
+        ASSERT_NE(sign_of_sum(exact->p * scale - limit * exact->d, exact->s * scale, exact->q), side_of)
+            << "trial " << trial << " dot " << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(dots, 15000);
+}
+
+TEST(ProvenOrder, HoldsOnAllDotsOfTheProof) {
+  Dice dice(15);
+  const Lighting lighting = random_lighting(dice);
+  int proven = 0;
+  for (int trial = 0; trial < 6000; ++trial) {
+    TestFace f = solid_face(dice, between(dice, 20, 60), between(dice, 20, 60), between(dice, 10, 60), lighting);
+    TestFace g = solid_face(dice, between(dice, 20, 60), between(dice, 20, 60), between(dice, 10, 60), lighting);
+    if (trial % 3 == 0) g = random_face(dice, FaceKind::plane, 6, lighting);
+    if (f.active.kind == FaceKind::rational || g.active.kind == FaceKind::rational) continue;
+    f.active.order = 1;
+    g.active.order = 2;
+    const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto a = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto b = static_cast<std::int32_t>(between(dice, a, side - 1));
+    for (TestFace* face : {&f, &g}) make_block(face->active, y, a, b);
+    const int nearer = proven_order(f.active, g.active, y, a, b);
+    const DepthProof& proof = f.active.proofs[0];
+    ASSERT_TRUE(proof.holds(y, a, b));
+    ASSERT_EQ(proven_order(f.active, g.active, proof.y1, proof.x0, proof.x1), nearer) << "the proof is kept";
+    if (nearer == 0) continue;
+    for (int i = 0; i < 20; ++i) {
+      const auto px = static_cast<std::int32_t>(between(dice, proof.x0, proof.x1));
+      const auto py = static_cast<std::int32_t>(between(dice, proof.y0, proof.y1));
+      const auto zf = testing::depth_at(f, px, py);
+      const auto zg = testing::depth_at(g, px, py);
+      if (!zf || !zg) continue;
+      ++proven;
+      ASSERT_EQ(testing::compare(*zf, *zg), nearer) << "trial " << trial << " dot " << px << ", " << py;
+    }
+  }
+  EXPECT_GT(proven, 5000);
 }
 
 TEST(CompareDepth, AgreesWithGmp) {
@@ -106,9 +185,9 @@ TestFace neighbour(Dice& dice, const TestFace& f, const Lighting& lighting) {
       static_cast<std::uint32_t>(dice() % 1000), lighting);
 }
 
-void expect_dot_by_dot(const TestFace& f, const TestFace& g, const ExactModule& exact, std::int32_t y, DotRun run) {
+void expect_dot_by_dot(TestFace& f, TestFace& g, const ExactModule& exact, std::int32_t y, DotRun run) {
   Counters counters;
-  DepthOrder order(f.active, g.active, y, run.x0, run.x1, exact, counters);
+  DepthOrder order = order_of(f, g, y, run, exact, counters);
   std::int32_t x = run.x0;
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();
@@ -128,8 +207,8 @@ TEST(DepthOrder, PiecesEqualTheExactOrderDotByDot) {
   int dots = 0;
   for (int trial = 0; trial < 400 || dots < 20000; ++trial) {
     ASSERT_LT(trial, 4000) << "too few runs are shared";
-    const TestFace f = any_face(dice, lighting);
-    const TestFace g = trial % 2 == 0 ? any_face(dice, lighting) : neighbour(dice, f, lighting);
+    TestFace f = any_face(dice, lighting);
+    TestFace g = trial % 2 == 0 ? any_face(dice, lighting) : neighbour(dice, f, lighting);
     const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
     if (exact == nullptr) continue;
     const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
@@ -153,10 +232,10 @@ TEST(DepthOrder, TheLongestTieFitsTheStackAndGoesToTheLowerOrder) {
   c[9] = -mpz_class(40000) * 40000;
   for (const std::int32_t length : {1, 2, 3, 32766, 32767}) {
     for (const std::uint32_t order : {3U, 5U}) {
-      const TestFace f = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, order, lighting);
-      const TestFace g = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, 4, lighting);
+      TestFace f = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, order, lighting);
+      TestFace g = make_face(FaceKind::root, c, {16000, 10, 0}, -1, 1, 4, lighting);
       Counters counters;
-      DepthOrder pieces(f.active, g.active, 10, 0, length - 1, exact_384, counters);
+      DepthOrder pieces = order_of(f, g, 10, {0, length - 1}, exact_384, counters);
       std::int32_t x = 0;
       while (!pieces.done()) {
         const auto piece = pieces.next();
@@ -177,10 +256,10 @@ TEST(DepthOrder, CrossingsCostTheirLogarithmNotTheRun) {
   plane[2] = 3;
   plane[0] = 1;
   plane[3] = 30000;
-  const TestFace f = make_face(FaceKind::root, sphere, {16000, 10, 0}, -1, 1, 0, lighting);
-  const TestFace g = make_face(FaceKind::plane, plane, {16000, 10, 0}, 0, 1, 1, lighting);
+  TestFace f = make_face(FaceKind::root, sphere, {16000, 10, 0}, -1, 1, 0, lighting);
+  TestFace g = make_face(FaceKind::plane, plane, {16000, 10, 0}, 0, 1, 1, lighting);
   Counters counters;
-  DepthOrder pieces(f.active, g.active, 10, 0, 32000, exact_384, counters);
+  DepthOrder pieces = order_of(f, g, 10, {0, 32000}, exact_384, counters);
   while (!pieces.done()) (void)pieces.next();
   EXPECT_LT(counters.depth_samples, 600U);
   EXPECT_LT(counters.exact_depths, 8U);

@@ -1,0 +1,221 @@
+#include "firmware/core/depth_block.hpp"
+
+#include <algorithm>
+
+#include "firmware/core/isqrt.hpp"
+#include "firmware/core/quick_root.hpp"
+#include "firmware/core/root_surface.hpp"
+
+namespace halfspace {
+namespace {
+
+constexpr std::int32_t largest_dot = 32767;
+constexpr std::int32_t least_rows = 8, most_rows = 256;
+
+int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
+
+struct Interval {
+  std::int64_t low, high;
+};
+
+// Dots t0 .. t1 of lines s0 .. s1 of a block.
+struct Part {
+  std::int32_t t0, t1, s0, s1;
+};
+
+std::int64_t discriminant(const DepthBlock& k, std::int32_t t, std::int32_t s) {
+  return k.d + part(k.dy + k.dyy * s, s, k.y_bits) + part(k.dx + k.dxy * s + k.dxx * t, t, k.x_bits);
+}
+
+// Of the root in units, errors taken in.
+Interval root_over(const DepthBlock& k, const Part& p) {
+  const std::int64_t corners[4] = {discriminant(k, p.t0, p.s0), discriminant(k, p.t1, p.s0),
+                                   discriminant(k, p.t0, p.s1), discriminant(k, p.t1, p.s1)};
+  const std::int32_t w = p.t1 - p.t0;
+  const std::int32_t h = p.s1 - p.s0;
+  const std::int64_t bulge_x = part(k.dxx * w, w, k.x_bits) >> 2;
+  const std::int64_t bulge_y = part(k.dyy * h, h, k.y_bits) >> 2;
+  const std::int64_t error = 2 * k.shallow;
+  const std::int64_t low = *std::min_element(corners, corners + 4) - std::max<std::int64_t>(bulge_x, 0) -
+                           std::max<std::int64_t>(bulge_y, 0) - error;
+  const std::int64_t high = *std::max_element(corners, corners + 4) - std::min<std::int64_t>(bulge_x, 0) -
+                            std::min<std::int64_t>(bulge_y, 0) + error;
+  const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
+  return {std::max<std::int64_t>(root(low) - 3, 0), root(high) + 3};
+}
+
+class Maker {
+ public:
+  Maker(const ActiveFace& face, DepthBlock& block)
+      : f_(face),
+        k_(block),
+        w_(block.x1 - block.x0),
+        h_(block.y1 - block.y0),
+        x_(block.x0 - face.origin_x),
+        y_(block.y0 - face.origin_y) {
+    k_.x_bits = static_cast<std::int8_t>(bits_of(w_));
+    k_.y_bits = static_cast<std::int8_t>(bits_of(h_));
+  }
+
+  void make() {
+    const bool root = f_.kind == FaceKind::root;
+    const Wide<128> slope_x = f_.c[root ? 5 : 0];
+    const Wide<128> slope_y = f_.c[root ? 4 : 1];
+    const Wide<128> start = slope_x.times(x_) + slope_y.times(y_) + f_.c[root ? 8 : 3];
+    int unit = std::max({start.bit_length(), slope_x.bit_length() + k_.x_bits, slope_y.bit_length() + k_.y_bits}) - 28;
+    if (root) unit = load_discriminant(unit);
+    k_.b = scaled(start, unit - 16);
+    k_.bx = scaled(slope_x, unit - 16);
+    k_.by = scaled(slope_y, unit - 16);
+    bound(unit);
+  }
+
+ private:
+  // Six terms below 2^57 squares of units each. Returns log2 of a unit, at least `unit`.
+  int load_discriminant(int unit) {
+    const ScaledQuadratic& form = f_.surface.discriminant;
+    const Wide<128> d = form.at(x_, y_);
+    const Wide<128> dx = form.q[0].times(2 * x_) + form.q[1].times(y_) + form.q[3];
+    const Wide<128> dy = form.q[2].times(2 * y_) + form.q[1].times(x_) + form.q[4];
+    const int x = bits_of(w_);
+    const int y = bits_of(h_);
+    const int bits = std::max({d.bit_length(), dx.bit_length() + x, dy.bit_length() + y, form.q[0].bit_length() + 2 * x,
+                               form.q[1].bit_length() + x + y, form.q[2].bit_length() + 2 * y});
+    // A rounded D must be off by less than a square of a unit.
+    const int least = form.exponent > 0 ? quadratic_error_bits / 2 : -32;
+    const int half = form.exponent / 2;
+    const int shift = std::max({(bits - 56) >> 1, least, unit - half});
+    k_.d = scaled(d, 2 * shift);
+    k_.dx = scaled(dx, 2 * shift - x);
+    k_.dxx = scaled(form.q[0], 2 * shift - x);
+    k_.dxy = scaled(form.q[1], 2 * shift - x);
+    k_.dy = scaled(dy, 2 * shift - y);
+    k_.dyy = scaled(form.q[2], 2 * shift - y);
+    k_.shallow = (1 << x) + (2 << y) + 6;
+    return shift + half;
+  }
+
+  // Of -b in units, errors taken in.
+  [[nodiscard]] Interval numerator() const {
+    const std::int64_t x = k_.bx * w_;
+    const std::int64_t y = k_.by * h_;
+    const std::int64_t least = k_.b + std::min<std::int64_t>(x, 0) + std::min<std::int64_t>(y, 0);
+    const std::int64_t greatest = k_.b + std::max<std::int64_t>(x, 0) + std::max<std::int64_t>(y, 0);
+    return {-(greatest >> 16) - 3, -(least >> 16) + 2};
+  }
+  void bound(int unit) {
+    k_.low = INT32_MIN;
+    k_.high = INT32_MAX;
+    k_.error = -1;
+    const int shift = f_.inverse_exponent - unit - depth_fraction;
+    const std::int64_t most = largest_depth >> depth_fraction;
+    if (shift < 0 || f_.origin_z > most || f_.origin_z < -most) return;
+    k_.shift = static_cast<std::int8_t>(std::min(shift, 63));
+    Interval n = numerator();
+    if (f_.kind == FaceKind::root) {
+      const Interval r = root_over(k_, {0, w_, 0, h_});
+      n.low += f_.sheet < 0 ? -r.high : r.low;
+      n.high += f_.sheet < 0 ? -r.low : r.high;
+    }
+    const std::int64_t low = depth(n.low, -1);
+    const std::int64_t high = depth(n.high, 1);
+    if (low < -most || high > most) return;
+    k_.low = static_cast<std::int32_t>(low);
+    k_.high = static_cast<std::int32_t>(high);
+    k_.error = (std::int64_t{6} * f_.inverse >> k_.shift) + 3;
+    const std::int64_t shallow = isqrt(static_cast<std::uint64_t>(k_.shallow)) + 6;
+    k_.shallow_error = (shallow * f_.inverse >> k_.shift) + 3;
+  }
+  // A bound of the depth in whole dots, on the side of `sign`, from that of n.
+  [[nodiscard]] std::int64_t depth(std::int64_t n, int sign) const {
+    const std::int64_t z = (n * f_.inverse) >> k_.shift;
+    const std::int64_t error = ((z < 0 ? -z : z) >> 29) + 2;
+    return ((z + sign * error) >> depth_fraction) + (sign > 0 ? 1 : 0) + f_.origin_z;
+  }
+
+  const ActiveFace& f_;
+  DepthBlock& k_;
+  std::int32_t w_, h_;
+  std::int32_t x_, y_;  // the block's first dot in the face's frame
+};
+
+// Of f less g in 2^-16 dots.
+Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
+  constexpr std::int64_t none = std::int64_t{1} << 62;
+  Interval linear{none, -none};
+  const auto linear_at = [](const ActiveFace& face, std::int32_t x, std::int32_t y) {
+    const DepthBlock& k = face.block;
+    const std::int64_t b = k.b + k.bx * (x - k.x0) + k.by * (y - k.y0);
+    return -((b >> 16) * face.inverse >> k.shift) + face.origin_z * (std::int64_t{1} << depth_fraction);
+  };
+  for (const std::int32_t y : {over.y0, over.y1}) {
+    for (const std::int32_t x : {over.x0, over.x1}) {
+      const std::int64_t at = linear_at(f, x, y) - linear_at(g, x, y);
+      linear.low = std::min(linear.low, at);
+      linear.high = std::max(linear.high, at);
+    }
+  }
+  const auto root_of = [&over](const ActiveFace& face) -> Interval {
+    if (face.kind != FaceKind::root) return {0, 0};
+    const DepthBlock& k = face.block;
+    const Interval r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
+    const std::int64_t low = r.low * face.inverse >> k.shift;
+    const std::int64_t high = r.high * face.inverse >> k.shift;
+    return face.sheet < 0 ? Interval{-high, -low} : Interval{low, high};
+  };
+  const Interval root = root_of(f);
+  const Interval rival = root_of(g);
+  const std::int64_t error = 2 * (f.block.error + g.block.error);
+  return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
+}
+
+}  // namespace
+
+int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const auto about_g = [&](const DepthProof& proof) { return proof.rival == g.order && proof.holds(y, x0, x1); };
+  for (const DepthProof& proof : f.proofs) {
+    if (about_g(proof)) return proof.nearer;
+  }
+  f.proofs[1] = f.proofs[0];
+  DepthProof& proof = f.proofs[0];
+  const std::int32_t margin = (x1 - x0) / 4;
+  proof.rival = g.order;
+  proof.x0 = std::max({static_cast<std::int16_t>(x0 - margin - 4), f.block.x0, g.block.x0});
+  proof.x1 = std::min({static_cast<std::int16_t>(x1 + margin + 4), f.block.x1, g.block.x1});
+  proof.y0 = static_cast<std::int16_t>(y);
+  proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
+  proof.nearer = 0;
+  if (f.block.error < 0 || g.block.error < 0) return 0;
+  const Interval distance = difference(f, g, proof);
+  if (distance.high < 0) proof.nearer = -1;
+  if (distance.low > 0) proof.nearer = 1;
+  return proof.nearer;
+}
+
+void make_depth(ActiveFace& face) {
+  if (face.kind == FaceKind::rational) return;
+  const int bits = face.c[2].bit_length();
+  face.inverse =
+      static_cast<std::uint32_t>((std::uint64_t{1} << 61) / static_cast<std::uint64_t>(scaled(face.c[2], bits - 31)));
+  face.inverse_exponent = static_cast<std::int16_t>(bits + 30);
+  if (face.kind == FaceKind::root) make_discriminant(face);
+}
+
+// A limb moves by less than a dot a line but near its ends, so a quarter of a width of dots at the sides lasts for as many lines. A face
+// in two runs is asked for both on every line: a block that still holds the line is widened.
+void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b) {
+  DepthBlock& k = face.block;
+  if (k.y0 <= y && y <= k.y1) {
+    a = std::min<std::int32_t>(a, k.x0);
+    b = std::max<std::int32_t>(b, k.x1);
+  }
+  const std::int32_t margin = (b - a) / 4;
+  const std::int32_t rows = std::clamp(margin, least_rows, most_rows);
+  k.x0 = static_cast<std::int16_t>(std::max<std::int32_t>(a - margin - 4, 0));
+  k.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(b + margin + 4, largest_dot));
+  k.y0 = static_cast<std::int16_t>(y);
+  k.y1 = static_cast<std::int16_t>(std::min<std::int32_t>(y + rows - 1, largest_dot));
+  Maker(face, k).make();
+}
+
+}  // namespace halfspace

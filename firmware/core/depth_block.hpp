@@ -1,0 +1,34 @@
+// depth_block.hpp - where a face lies over a block of lines: bounds of its depth, and forms that tell it at a dot in 64 bits.
+//   Most pairs of faces that share dots of a line lie apart in depth, and did so on the lines above. A block says so at the cost of
+//   two comparisons; it is made once for some lines, from the face's polynomials in 128 bits.
+// Bounds  -b is linear. D is the linear form between its values at the block's corners, and at most |dxx| w^2 / 4 + |dyy| h^2 / 4 to the
+//         one side that their signs tell. Hence bounds of n and of the depth, for all dots where D >= 0.
+// Error   docs/core.md, "Bound of a sample"; tests/core/depth_test.cpp.
+// Cost    A block takes about as much as four depths used to; a quarter as many lines as dots of its width share it.
+#pragma once
+
+#include "firmware/core/face.hpp"
+
+namespace halfspace {
+
+inline constexpr int depth_fraction = 16;
+inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 dots: sums stay inside 64 bits
+
+// What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
+void make_depth(ActiveFace& face);
+
+// Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
+void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
+
+// -1: on dots x0 .. x1 of line y f is nearer than g, 1: g than f, 0: cannot tell at once. Both blocks hold these dots. What is found out is
+// good for lines to come and kept with f.
+// Method  The difference of the linear parts of z at the corners, and the bounds of both roots.
+[[nodiscard]] int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1);
+
+// floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.
+constexpr std::int64_t part(std::int64_t v, std::int32_t n, int bits) {
+  const std::int64_t low = v & ((std::int64_t{1} << bits) - 1);
+  return (v >> bits) * n + (low * n >> bits);
+}
+
+}  // namespace halfspace
