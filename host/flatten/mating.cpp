@@ -12,14 +12,10 @@ constexpr int sameness_bits = 40;
 constexpr Real cells_per_normal = 64;
 const Real cells_per_coefficient = power_of_two(36);
 const Real look_around = power_of_two(-4);
+const Real half_a_cell = power_of_two(-1);
 const Real look_along = power_of_two(-3);  // for the distance of a plane
 
-std::int64_t cell(Real v) {
-  const Real bound = power_of_two(62);
-  const Real upper = smaller(larger(v, -bound), bound) + Real(1) / 2;
-  const auto whole = static_cast<std::int64_t>(upper);
-  return Real(whole) > upper ? whole - 1 : whole;
-}
+std::int64_t cell(Real v) { return floor_within_62_bits(v + half_a_cell); }
 
 Real reach_of(const RealHalfSpace& shape, std::size_t coordinate) {
   return shape.kind == HalfSpaceKind::plane && coordinate == 3 ? look_along : look_around;

@@ -32,9 +32,11 @@ inline Vector3 unit(const Vector3& v) {
 
 inline constexpr Matrix4 identity_matrix{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
-// Most entries of a placement are 0, and a product in software is not free.
+// Most entries of a placement are 0 or 1, and a product in software is not free.
 inline void add_product(Real& sum, Real a, Real b) {
-  if (!is_zero(a) && !is_zero(b)) sum += a * b;
+  if (is_zero(a) || is_zero(b)) return;
+  const Real product = a == Real(1) ? b : a * b;
+  sum = is_zero(sum) ? product : sum + product;
 }
 
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {

@@ -1,5 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
+#include <cmath>
+
 #include "host/flatten/family.hpp"
 #include "host/flatten/least_scale.hpp"
 #include "host/flatten/rational.hpp"
@@ -70,24 +72,18 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
 // A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
 class RoundedSphere {
  public:
-  RoundedSphere(const Vector3& centre, Real square)
-      : centre_(centre), square_(square), radius_(square > 0 ? square_root(square) : 0) {}
+  RoundedSphere(const Vector3& centre, Real square) : centre_(centre), square_(square) {}
 
-  // Mostly told without a root: the longest side of what the centre is off by is shorter than it, their sum is longer; and radii differ by
-  // the difference of their squares over their sum, which is more than one of them.
   [[nodiscard]] bool holds(Real scale, Real target) const {
+    if (const auto certain = holds_in_doubles(static_cast<double>(scale), static_cast<double>(target))) return *certain;
     const Real r2 = squared_radius(scale);
-    if ((square_ > 0) != (r2 > 0) || (square_ < 0) != (r2 < 0)) return false;  // the sign is kept
-    const Vector3 off = off_by(scale);
-    if (largest(off) > target) return false;
-    const Real radii = square_ > 0 ? magnitude(r2 / (scale * scale) - square_) / radius_ : 0;
-    const Real sides = magnitude(off[0]) + magnitude(off[1]) + magnitude(off[2]);
-    return sides + radii <= target * surely || bound(scale) <= target;
+    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target;
   }
 
   [[nodiscard]] Real bound(Real scale) const {
-    const Real radius = square_ > 0 ? square_root(squared_radius(scale)) / scale : 0;
-    return length(off_by(scale)) + magnitude(radius - radius_);
+    Real bound = length(off_by(scale));
+    if (square_ > 0) bound += magnitude(square_root(squared_radius(scale)) / scale - square_root(square_));
+    return bound;
   }
 
   [[nodiscard]] IntegerForm form(Real scale, int sign) const {
@@ -105,7 +101,24 @@ class RoundedSphere {
   }
 
  private:
-  static const Real surely;  // leaves room for the roundings of a sum
+  // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
+  // at most, and then the radius by less than that over r scale^2.
+  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale, double target) const {
+    const auto square = static_cast<double>(square_);
+    if (!(square * scale * scale >= 2)) return std::nullopt;
+    double sum_of_squares = 0;
+    double slack = target * 0x1p-40;
+    for (const Real coordinate : centre_) {
+      const auto c = static_cast<double>(coordinate);
+      const double off = std::rint(c * scale) / scale - c;
+      sum_of_squares += off * off;
+      slack += std::abs(c) * 0x1p-50;
+    }
+    const double off = std::sqrt(sum_of_squares);
+    if (off > target + slack) return false;
+    if (off + 1 / (std::sqrt(square) * scale * scale) + slack < target) return true;
+    return std::nullopt;
+  }
 
   [[nodiscard]] Real squared_radius(Real scale) const { return nearest_whole(square_ * scale * scale); }
   [[nodiscard]] Vector3 off_by(Real scale) const {
@@ -115,9 +128,8 @@ class RoundedSphere {
   }
 
   Vector3 centre_;
-  Real square_, radius_;
+  Real square_;
 };
-const Real RoundedSphere::surely = 1 - power_of_two(-100);
 
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
   const Real weight = reduced.squares[0].weight;

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -10,20 +11,22 @@ constexpr int closeness_bits = 84;
 
 bool is_whole(Real v, Real tolerance) { return magnitude(v - nearest_whole(v)) <= tolerance; }
 
-// The least convergent denominator d, up to `limit`, that takes d v to within d * tolerance of an integer; 0 if none.
+// The least convergent denominator d, up to `limit` <= 2^32, that takes d v to within d * tolerance of an integer; 0 if none. Fractions of v
+// count to 2^-120, what Euclid leaves of them is by how much d v misses an integer.
 Real denominator_of(Real v, Real limit, Real tolerance) {
-  Real rest = v - nearest_whole(v);
-  Real before = 0;
-  Real current = 1;
-  while (current <= limit) {
-    if (is_whole(current * v, current * tolerance)) return current;
-    if (rest == 0) return 0;
-    const Real inverse = 1 / rest;
-    const Real quotient = nearest_whole(inverse);
-    rest = inverse - quotient;
-    const Real next = magnitude(quotient * current + before);
-    before = quotient < 0 ? -current : current;
-    current = next;
+  constexpr int unit_bits = 120;
+  const auto most = static_cast<std::uint64_t>(limit);
+  const Bits128 tolerated = whole_bits(tolerance * power_of_two(unit_bits));  // 2^68 at most
+  Bits128 whole = Bits128{1} << unit_bits;
+  Bits128 rest = whole_bits((v - floor_of(v)) * power_of_two(unit_bits));
+  std::uint64_t before = 0;
+  std::uint64_t current = 1;
+  while (current <= most) {
+    if (rest <= current * tolerated) return Real(current);
+    const Bits128 quotient = whole / rest;
+    if (quotient > most) return 0;
+    whole = std::exchange(rest, whole % rest);
+    before = std::exchange(current, static_cast<std::uint64_t>(quotient) * current + before);
   }
   return 0;
 }

@@ -2,6 +2,7 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -240,6 +241,23 @@ Real nearest_whole(Real v) {
   const Parts parts = parts_of(v);
   if (parts.mantissa == 0) return 0;
   return parts.exponent < 0 ? composed(nearest_whole_of(parts), 0, parts.negative) : v;
+}
+
+Bits128 whole_bits(Real v) {
+  const Parts parts = parts_of(v);
+  if (parts.exponent >= 0) return parts.mantissa << parts.exponent;
+  return -parts.exponent > fraction_bits ? 0 : parts.mantissa >> -parts.exponent;
+}
+
+std::int64_t floor_within_62_bits(Real v) {
+  constexpr std::int64_t most = std::int64_t{1} << 62;
+  const Parts parts = parts_of(v);
+  if (parts.mantissa == 0) return 0;
+  if (parts.exponent > 62 - (fraction_bits + 1)) return parts.negative ? -most : most;
+  const int shift = std::min(-parts.exponent, fraction_bits + 1);
+  const auto whole = static_cast<std::int64_t>(parts.mantissa >> shift);
+  if (!parts.negative) return whole;
+  return Bits128{static_cast<std::uint64_t>(whole)} << shift == parts.mantissa ? -whole : -whole - 1;
 }
 
 double double_above(Real v) {

@@ -100,7 +100,9 @@ inline bool finite(Real v) { return v.exponent_bits() != 0x7fff; }
   const Real near = nearest_whole(v);
   return near > v ? near - 1 : near;
 }
-[[nodiscard]] double double_above(Real v);  // 0 <= v: a double that is not below v
+[[nodiscard]] Bits128 whole_bits(Real v);                 // 0 <= v < 2^128, cut
+[[nodiscard]] std::int64_t floor_within_62_bits(Real v);  // no less than -2^62, no more than 2^62
+[[nodiscard]] double double_above(Real v);                // 0 <= v: a double that is not below v
 
 struct SineCosine {
   Real sine, cosine;

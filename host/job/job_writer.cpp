@@ -112,8 +112,11 @@ void JobWriter::check_faces() {
   for (const Face& face : resolved_.faces) {
     const IntegerBody& body = scene_.bodies[face.body];
     const IntegerHalfSpace& half_space = body.half_spaces[face.half_space];
-    const FaceBits bits = face_bits(scene_, body, half_space);
+    const FaceBits above = face_bits_above(scene_, body, half_space);
     const auto too_wide = [](const mpz_class& c) { return bits_of(c) > 127; };
+    const bool is_known = all.covers(above) && (above.q == 0 || roots.covers(above)) && !check_face(above) &&
+                          level_bits(scene_, above) <= exact_bits;
+    const FaceBits bits = is_known ? above : face_bits(scene_, body, half_space);
     std::optional<std::string> fault = check_face(bits);
     if (std::abs(body.origin[0]) > largest_origin || std::abs(body.origin[1]) > largest_origin) {
       fault = "its local frame lies more than " + std::to_string(largest_origin) + " dots off";
