@@ -30,6 +30,7 @@ const Real depth_limit = power_of_two(20);
 const Real far_limit = power_of_two(25);
 // Boxes of bodies on the page may be as much too large.
 const Real dot_slack = Real(1) / 4;
+const Vector3 around_box{dot_slack, dot_slack, dot_slack};
 // What mates within its bodies' boxes may be off by as much in those that share more with it: a clan, or a pair of planes.
 const Real mating_limit = power_of_two(-10);
 
@@ -493,14 +494,18 @@ class Flattener {
     for (const HalfSpaceUse& use : source.uses) {
       const PageHalfSpace& h = half_spaces_[use.half_space];
       const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
-      const IntegerForm local = seen_from(h.quantised.form, origin);
+      IntegerForm local = seen_from(h.quantised.form, origin);
       // A leader written the other way round holds where its complement did.
       const bool complement = use.complement != (h.use && h.use->opposite);
-      body.half_spaces.push_back({local.kind, local.c, complement, statement.transparent,
+      if (source.uses.size() > 1) sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
+      body.half_spaces.push_back({local.kind, std::move(local.c), complement, statement.transparent,
                                   double_above(h.quantised.bound), statement.name, statement.position});
-      sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
     }
-    set_box(sides, body);
+    if (sides.empty()) {  // a surface by itself lies where the true one does, to 1/16 dot at worst
+      set_dots({difference(box.low, around_box), sum(box.high, around_box)}, body);
+    } else {
+      set_box(sides, body);
+    }
     return body;
   }
 
@@ -526,7 +531,11 @@ class Flattener {
     }
     const Scissor& scissor = page_.scissor;
     if (extent.unbounded) box = {{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
-    if (extent.empty && !extent.unbounded) return;
+    if (!extent.empty || extent.unbounded) set_dots(box, body);
+  }
+
+  void set_dots(const Box& box, IntegerBody& body) const {
+    const Scissor& scissor = page_.scissor;
     const auto dot = [](Real v) { return static_cast<std::int32_t>(v); };
     body.x0 = std::max(scissor.x0, dot(floor_of(box.low[0])));
     body.y0 = std::max(scissor.y0, dot(floor_of(box.low[1])));

@@ -72,7 +72,10 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
 // A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
 class RoundedSphere {
  public:
-  RoundedSphere(const Vector3& centre, Real square) : centre_(centre), square_(square) {}
+  RoundedSphere(const Vector3& centre, Real square)
+      : centre_(centre), square_(square), near_square_(static_cast<double>(square)) {
+    for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
+  }
 
   [[nodiscard]] bool holds(Real scale, Real target) const {
     if (const auto certain = holds_in_doubles(static_cast<double>(scale), static_cast<double>(target))) return *certain;
@@ -88,15 +91,18 @@ class RoundedSphere {
 
   [[nodiscard]] IntegerForm form(Real scale, int sign) const {
     IntegerForm result{HalfSpaceKind::quadric, {}};
-    const IntegerPoint m = round_to_integers(scaled(centre_, scale));
-    const mpz_class side = round_to_integer(scale);
+    const mpz_class side = sign * round_to_integer(scale);
+    mpz_class& constant = result.c[9];
+    constant = -round_to_integer(square_ * scale * scale);
     for (std::size_t i = 0; i < 3; ++i) {
-      IntegerLinear linear;
-      linear[i] = side;
-      linear[3] = -m[i];
-      add_square(result, sign, linear);
+      const mpz_class m = round_to_integer(centre_[i] * scale);
+      result.c[i] = side * side;
+      result.c[6 + i] = -side * m;
+      constant += m * m;
     }
-    result.c[9] -= sign * round_to_integer(square_ * scale * scale);
+    if (sign < 0) {
+      for (std::size_t i : {0, 1, 2, 9}) result.c[i] = -result.c[i];
+    }
     return result;
   }
 
@@ -104,19 +110,17 @@ class RoundedSphere {
   // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
   // at most, and then the radius by less than that over r scale^2.
   [[nodiscard]] std::optional<bool> holds_in_doubles(double scale, double target) const {
-    const auto square = static_cast<double>(square_);
-    if (!(square * scale * scale >= 2)) return std::nullopt;
+    if (!(near_square_ * scale * scale >= 2)) return std::nullopt;
     double sum_of_squares = 0;
     double slack = target * 0x1p-40;
-    for (const Real coordinate : centre_) {
-      const auto c = static_cast<double>(coordinate);
+    for (const double c : near_centre_) {
       const double off = std::rint(c * scale) / scale - c;
       sum_of_squares += off * off;
       slack += std::abs(c) * 0x1p-50;
     }
     const double off = std::sqrt(sum_of_squares);
     if (off > target + slack) return false;
-    if (off + 1 / (std::sqrt(square) * scale * scale) + slack < target) return true;
+    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < target) return true;
     return std::nullopt;
   }
 
@@ -129,6 +133,8 @@ class RoundedSphere {
 
   Vector3 centre_;
   Real square_;
+  std::array<double, 3> near_centre_{};
+  double near_square_;
 };
 
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
