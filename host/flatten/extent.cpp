@@ -349,11 +349,13 @@ class Search {
 
 }  // namespace
 
-Extent extent_of(std::span<const Side> sides, Real slack) {
+Extent extent_of(std::span<const Side> sides, Real slack) { return extent_of(sides, slack, quadrics_may_meet(sides)); }
+
+Extent extent_of(std::span<const Side> sides, Real slack, bool meet) {
   if (sides.size() == 1) {
     if (const auto box = ellipsoid_extent(sides.front())) return {false, false, *box};
   }
-  if (quadrics_may_meet(sides)) {
+  if (meet) {
     Extent extent = meeting_extent(sides, slack);
     if (!extent.unbounded) return extent;
     extent = Search(sides).run();

@@ -52,7 +52,7 @@ std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> va
   return result;
 }
 
-mpq_class decimal_to_rational(const std::string& text) {
+Decimal decimal_of(const std::string& text) {
   std::string digits;
   long exponent = 0;
   bool fraction = false;
@@ -70,12 +70,21 @@ mpq_class decimal_to_rational(const std::string& text) {
       break;
     }
   }
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
-  const mpz_class whole(digits, 10);  // a leading zero must not make it octal
-  mpq_class result = exponent < 0 ? mpq_class(whole, power) : mpq_class(whole * power);
+  return {mpz_class(digits, 10), exponent};  // a leading zero must not make it octal
+}
+
+mpq_class decimal_to_rational(const std::string& text) {
+  const auto [digits, exponent] = decimal_of(text);
+  const mpz_class power = power_of_ten(std::labs(exponent));
+  mpq_class result = exponent < 0 ? mpq_class(digits, power) : mpq_class(digits * power);
   result.canonicalize();
   return result;
+}
+
+mpz_class power_of_ten(long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
+  return power;
 }
 
 }  // namespace halfspace

@@ -61,7 +61,7 @@ class JobWriter {
     }
     if (!result_.diagnostics.empty()) return std::move(result_);
     make_header();
-    result_.header.needs.spans = largest_pool;
+    result_.header.needs.spans = scene_.scissor.x1 - scene_.scissor.x0 + 1;  // spans of a line share no dot
     result_.bytes = bytes();
     if (options_.measure) {
       result_.header.needs.spans = measure();
@@ -245,7 +245,7 @@ std::int32_t JobWriter::measure() const {
   std::vector<std::uint64_t> memory(memory_needed(result_.header, 1) / 8 + 1);
   const DrawResult drawn = draw(source, sink, std::as_writable_bytes(std::span(memory)),
                                 {.shader = Shader::isqrt, .band_rows = 1, .measure = true}, all_modules);
-  return drawn.status == DrawStatus::ok ? drawn.peak_spans : largest_pool;
+  return drawn.status == DrawStatus::ok ? drawn.peak_spans : result_.header.needs.spans;
 }
 
 void JobWriter::write_header(JobBytes& out) const {
