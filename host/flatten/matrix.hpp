@@ -42,8 +42,9 @@ inline void add_product(Real& sum, Real a, Real b) {
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) add_product(result[i][j], a[i][k], b[k][j]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(a[i][k])) continue;
+      for (std::size_t j = 0; j < 4; ++j) add_product(result[i][j], a[i][k], b[k][j]);
     }
   }
   return result;
@@ -87,15 +88,15 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
   }
   Matrix4 half{};  // T^-1 Q
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(inverse[i][k])) continue;
+      for (std::size_t j = 0; j < 4; ++j) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i; j < 4; ++j) {
-      Real entry = 0;
-      for (std::size_t k = 0; k < 4; ++k) add_product(entry, half[i][k], inverse[j][k]);
-      result.c[quadric_index[i][j]] = entry;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(half[i][k])) continue;
+      for (std::size_t j = i; j < 4; ++j) add_product(result.c[quadric_index[i][j]], half[i][k], inverse[j][k]);
     }
   }
   return result;

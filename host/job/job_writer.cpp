@@ -288,7 +288,13 @@ void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delt
     const bool against = h.complement != turn;
     out.byte(static_cast<std::uint8_t>((back ? 1 : 0) | (against ? 2 : 0)));
   }
-  for (int i = 0; i < (plane ? 4 : 10); ++i) out.wide(turn ? mpz_class(-h.c[i]) : h.c[i]);
+  for (int i = 0; i < (plane ? 4 : 10); ++i) {
+    if (turn) {
+      out.wide(-h.c[i]);
+    } else {
+      out.wide(h.c[i]);
+    }
+  }
 }
 
 // The dot at or left of which a conic or a line crosses scan line y, local.
