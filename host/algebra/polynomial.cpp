@@ -55,7 +55,10 @@ Polynomial on_unit_interval(const Polynomial& p, const mpz_class& low, const mpz
 // Bernstein's coefficients, each times a positive number: those of (1 + t)^n q(1 / (1 + t)), last first.
 Polynomial bernstein_signs(Polynomial q) {
   std::reverse(q.begin(), q.end());
-  return shifted(std::move(q), 1);
+  for (std::size_t i = 0; i + 1 < q.size(); ++i) {
+    for (std::size_t j = q.size() - 1; j-- > i;) q[j] += q[j + 1];
+  }
+  return q;
 }
 
 }  // namespace
@@ -87,7 +90,7 @@ Polynomial times(const Polynomial& p, const Polynomial& q) {
   if (p.empty() || q.empty()) return {};
   Polynomial r(p.size() + q.size() - 1);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    for (std::size_t j = 0; j < q.size(); ++j) r[i + j] += p[i] * q[j];
+    for (std::size_t j = 0; j < q.size(); ++j) add_product(r[i + j], p[i], q[j]);
   }
   return r;
 }
@@ -100,14 +103,17 @@ Polynomial derivative(const Polynomial& p) {
 
 Polynomial shifted(Polynomial p, const mpz_class& shift) {
   for (std::size_t i = 0; i + 1 < p.size(); ++i) {
-    for (std::size_t j = p.size() - 1; j-- > i;) p[j] += p[j + 1] * shift;
+    for (std::size_t j = p.size() - 1; j-- > i;) add_product(p[j], p[j + 1], shift);
   }
   return p;
 }
 
 mpz_class value_at(const Polynomial& p, const mpz_class& x) {
   mpz_class value = 0;
-  for (std::size_t i = p.size(); i-- > 0;) value = value * x + p[i];
+  for (std::size_t i = p.size(); i-- > 0;) {
+    value *= x;
+    value += p[i];
+  }
   return value;
 }
 

@@ -10,6 +10,11 @@ namespace halfspace {
 
 using Polynomial = std::vector<mpz_class>;
 
+// sum += a b without a product of its own.
+inline void add_product(mpz_class& sum, const mpz_class& a, const mpz_class& b) {
+  mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+}
+
 [[nodiscard]] Polynomial trimmed(Polynomial p);
 [[nodiscard]] int degree(const Polynomial& p);  // -1 for zero
 

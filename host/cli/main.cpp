@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 
+#include "host/algebra/integer_memory.hpp"
 #include "host/cli/commands.hpp"
 
 namespace halfspace {
@@ -131,6 +132,7 @@ int run(int argc, char** argv) {
 }  // namespace halfspace
 
 int main(int argc, char** argv) {
+  halfspace::keep_integer_memory();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of write, told like any other
   try {
     return halfspace::run(argc, argv);

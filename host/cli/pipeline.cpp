@@ -138,7 +138,7 @@ Pipeline make_job(const SceneRequest& request, const PageChoice& choice, bool me
   stage.tell("placing bodies");
   const DeviceTraits& traits = choice.device->traits;
   FlattenResult flat = flatten(loaded.scene, {choice.page.width, choice.page.height, choice.page.levels,
-                                              traits.aspect_numerator, traits.aspect_denominator, request.view});
+                                              traits.aspect_numerator, traits.aspect_denominator, request.view, false});
   p.times.flatten = lap();
   stage.wipe();
   p.status = report(flat.diagnostics, request.quiet);

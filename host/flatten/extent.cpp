@@ -3,6 +3,7 @@
 #include <array>
 #include <initializer_list>
 
+#include "host/flatten/ellipsoid_extent.hpp"
 #include "host/flatten/extent_filter.hpp"
 #include "host/flatten/meeting_extent.hpp"
 #include "host/flatten/spectrum.hpp"
@@ -348,8 +349,13 @@ class Search {
 
 }  // namespace
 
-Extent extent_of(std::span<const Side> sides, Real slack) {
-  if (quadrics_may_meet(sides)) {
+Extent extent_of(std::span<const Side> sides, Real slack) { return extent_of(sides, slack, quadrics_may_meet(sides)); }
+
+Extent extent_of(std::span<const Side> sides, Real slack, bool meet) {
+  if (sides.size() == 1) {
+    if (const auto box = ellipsoid_extent(sides.front())) return {false, false, *box};
+  }
+  if (meet) {
     Extent extent = meeting_extent(sides, slack);
     if (!extent.unbounded) return extent;
     extent = Search(sides).run();

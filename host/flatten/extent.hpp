@@ -34,6 +34,8 @@ struct Extent {
 
 // A side of the box is good enough when it is no further off than `slack`.
 [[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack = 0);
+// `meet`: quadrics of two families may meet in the body (meeting_extent.hpp).
+[[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack, bool meet);
 
 [[nodiscard]] Box around(const Box& a, const Box& b);
 

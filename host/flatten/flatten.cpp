@@ -5,12 +5,15 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "host/flatten/clan.hpp"
 #include "host/flatten/extent.hpp"
 #include "host/flatten/lighting.hpp"
 #include "host/flatten/mating.hpp"
+#include "host/flatten/meeting_extent.hpp"
 #include "host/flatten/placement.hpp"
 #include "host/flatten/quantise.hpp"
 #include "host/flatten/ranked_squares.hpp"
@@ -30,6 +33,7 @@ const Real depth_limit = power_of_two(20);
 const Real far_limit = power_of_two(25);
 // Boxes of bodies on the page may be as much too large.
 const Real dot_slack = Real(1) / 4;
+const Vector3 around_box{dot_slack, dot_slack, dot_slack};
 // What mates within its bodies' boxes may be off by as much in those that share more with it: a clan, or a pair of planes.
 const Real mating_limit = power_of_two(-10);
 
@@ -153,7 +157,7 @@ class Flattener {
       for (const PlacedBody& body : placed_.bodies) {
         std::vector<Side> sides = sides_of(body);
         if (view_.perspective) sides.push_back({eye_plane(), false});
-        const Extent own = extent_of(sides);
+        const Extent own = extent_of(sides, 0, quadrics_meet(body, sides));
         if (own.unbounded) return fail_unbounded(body);
         extents_.push_back(own);
         if (!own.empty) extent = extent ? around(*extent, own.box) : own.box;
@@ -169,6 +173,15 @@ class Flattener {
     const auto lighting = light_scene(source_, view_, page_, result_.diagnostics);
     if (lighting) result_.scene.lighting = *lighting;
     return lighting.has_value();
+  }
+
+  // Instances of one body are affine images of each other, on which it does not depend whether quadrics meet; unless the view's own planes
+  // cut them.
+  bool quadrics_meet(const PlacedBody& body, std::span<const Side> sides) {
+    if (view_.perspective || view_.clipping) return quadrics_may_meet(sides);
+    const auto [known, is_new] = meetings_.emplace(body.statement, false);
+    if (is_new) known->second = quadrics_may_meet(sides);
+    return known->second;
   }
 
   bool fail_unbounded(const PlacedBody& body) {
@@ -234,10 +247,12 @@ class Flattener {
   }
 
   // The part of the body on the page; of a body that lies off it all, and the page where even that says nothing.
-  [[nodiscard]] Box box_of(const PlacedBody& body, const Extent& whole) const {
+  [[nodiscard]] Box box_of(const PlacedBody& body, const Extent& whole) {
     const bool has_end = !whole.empty && !whole.unbounded;
     if (has_end && is_on_page(whole.box)) return with_depth_limited(whole.box);
-    const Extent part = extent_of(with_page(sides_of(body), {0, 0, 0}), dot_slack);
+    const std::vector<Side> sides = sides_of(body);
+    const std::vector<Side> on_page = with_page(sides, {0, 0, 0});
+    const Extent part = extent_of(on_page, dot_slack, quadrics_meet(body, sides) && quadrics_may_meet(on_page));
     if (!part.empty && !part.unbounded) return with_depth_limited(part.box);
     if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return with_depth_limited(whole.box);
     const Box endless = endless_box();
@@ -245,8 +260,11 @@ class Flattener {
   }
 
   // Known from fitting the window, unless clipping planes have come since.
-  [[nodiscard]] Extent extent_on_page(std::size_t body) const {
-    if (extents_.empty() || view_.clipping) return extent_of(sides_of(placed_.bodies[body]), dot_slack);
+  [[nodiscard]] Extent extent_on_page(std::size_t body) {
+    if (extents_.empty() || view_.clipping) {
+      const std::vector<Side> sides = sides_of(placed_.bodies[body]);
+      return extent_of(sides, dot_slack, quadrics_meet(placed_.bodies[body], sides));
+    }
     Extent extent = extents_[body];
     extent.box = page_.to_dots(extent.box);
     return extent;
@@ -493,14 +511,22 @@ class Flattener {
     for (const HalfSpaceUse& use : source.uses) {
       const PageHalfSpace& h = half_spaces_[use.half_space];
       const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
-      const IntegerForm local = seen_from(h.quantised.form, origin);
+      IntegerForm local = seen_from(h.quantised.form, origin);
       // A leader written the other way round holds where its complement did.
       const bool complement = use.complement != (h.use && h.use->opposite);
-      body.half_spaces.push_back({local.kind, local.c, complement, statement.transparent,
+      if (options_.boxes && source.uses.size() > 1) {
+        sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
+      }
+      body.half_spaces.push_back({local.kind, std::move(local.c), complement, statement.transparent,
                                   double_above(h.quantised.bound), statement.name, statement.position});
-      sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
     }
-    set_box(sides, body);
+    if (!options_.boxes) {
+      set_dots(scissor_box(), body);
+    } else if (sides.empty()) {  // a surface by itself lies where the true one does, to 1/16 dot at worst
+      set_dots({difference(box.low, around_box), sum(box.high, around_box)}, body);
+    } else {
+      set_box(sides, body);
+    }
     return body;
   }
 
@@ -524,9 +550,17 @@ class Flattener {
       extent = extent_of(with_page(sides, origin), dot_slack);
       box = {sum(extent.box.low, origin), sum(extent.box.high, origin)};
     }
+    if (extent.unbounded) box = scissor_box();
+    if (!extent.empty || extent.unbounded) set_dots(box, body);
+  }
+
+  [[nodiscard]] Box scissor_box() const {
     const Scissor& scissor = page_.scissor;
-    if (extent.unbounded) box = {{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
-    if (extent.empty && !extent.unbounded) return;
+    return {{Real(scissor.x0), Real(scissor.y0), 0}, {Real(scissor.x1), Real(scissor.y1), 0}};
+  }
+
+  void set_dots(const Box& box, IntegerBody& body) const {
+    const Scissor& scissor = page_.scissor;
     const auto dot = [](Real v) { return static_cast<std::int32_t>(v); };
     body.x0 = std::max(scissor.x0, dot(floor_of(box.low[0])));
     body.y0 = std::max(scissor.y0, dot(floor_of(box.low[1])));
@@ -543,6 +577,7 @@ class Flattener {
   std::vector<PageHalfSpace> half_spaces_;
   std::deque<PlacedHalfSpace> plane_factors_;  // what plane pairs mate as
   std::vector<Surface> surfaces_;
+  std::unordered_map<const BodyStatement*, bool> meetings_;  // may quadrics meet in it?
   std::vector<Extent> extents_;  // of the bodies in the view frame, if the window needed them
   std::vector<Box> boxes_;       // of the bodies, in dots
 };

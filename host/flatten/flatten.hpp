@@ -17,6 +17,7 @@ struct FlattenOptions {
   std::int32_t levels = 2;                                    // 2 .. 256
   std::int32_t aspect_numerator = 1, aspect_denominator = 1;  // width / height of a dot; positive
   std::string view_id;                                        // empty: the last one defined, else the automatic one
+  bool boxes = true;  // of the bodies' integers, which drawing does not need; else each is the scissor
 };
 
 struct FlattenResult {

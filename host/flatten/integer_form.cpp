@@ -5,15 +5,21 @@ namespace halfspace {
 IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
   IntegerForm result = form;
   auto& c = result.c;
+  const auto add = [](mpz_class& sum, const mpz_class& a, const mpz_class& b) {
+    mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  };
   if (form.kind == HalfSpaceKind::plane) {
-    for (std::size_t i = 0; i < 3; ++i) c[3] += form.c[i] * origin[i];
+    for (std::size_t i = 0; i < 3; ++i) add(c[3], form.c[i], origin[i]);
     return result;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) c[6 + i] += form.c[quadric_index[i][j]] * origin[j];
+    for (std::size_t j = 0; j < 3; ++j) add(c[6 + i], form.c[quadric_index[i][j]], origin[j]);
   }
   // value(origin) = sum over i of (linear_i(0) + linear_i(origin)) origin_i + K
-  for (std::size_t i = 0; i < 3; ++i) c[9] += (form.c[6 + i] + c[6 + i]) * origin[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    add(c[9], form.c[6 + i], origin[i]);
+    add(c[9], c[6 + i], origin[i]);
+  }
   return result;
 }
 

@@ -41,8 +41,8 @@ struct IntegerBody {
   SourcePosition position;
   std::array<std::int64_t, 3> origin{};       // dots
   std::vector<IntegerHalfSpace> half_spaces;  // in the order of the body statement, clipping planes last
-  // A box (page frame, dots; inclusive) around the body, for precision and speed. It is no part of the truth: which dots show a
-  // face is decided by the half-spaces alone.
+  // A box (page frame, dots; inclusive) around the body, or the scissor: where an oracle need not look. It is no part of the truth: which
+  // dots show a face is decided by the half-spaces alone.
   std::int32_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
 };
 

@@ -50,12 +50,15 @@ Real reach(const Vector4& form, const LocalBox& box) {
   return total;
 }
 
+Vector4 residual_of(const Vector4& form, Real scale) {
+  Vector4 residual;
+  for (std::size_t i = 0; i < 4; ++i) residual[i] = nearest_whole(form[i] * scale) - form[i] * scale;
+  return residual;
+}
+
 RoundedLinear rounded(const Vector4& form, Real scale) {
-  RoundedLinear result;
-  for (std::size_t i = 0; i < 4; ++i) {
-    result.integers[i] = round_to_integer(form[i] * scale);
-    result.residual[i] = to_real(result.integers[i]) - form[i] * scale;
-  }
+  RoundedLinear result{{}, residual_of(form, scale)};
+  for (std::size_t i = 0; i < 4; ++i) result.integers[i] = round_to_integer(form[i] * scale);
   return result;
 }
 

@@ -44,6 +44,7 @@ struct RoundedLinear {
   Vector4 residual{};  // integers - what they stand for
 };
 
+[[nodiscard]] Vector4 residual_of(const Vector4& form, Real scale);
 [[nodiscard]] RoundedLinear rounded(const Vector4& form, Real scale);
 
 // A part that counts as 0 although it was there (spectrum.hpp, zero_bits), and a proportion that was taken for exact

@@ -8,22 +8,21 @@ namespace {
 constexpr int agreement_bits = 10;
 constexpr int sameness_bits = 40;
 
-// Cells of the grid per unit; and how far around a surface is looked, in cells.
+// Cells of the grid per unit; and how far around a surface is looked, in 16ths of a cell: twice as far for the distance of a plane.
+constexpr int fine_bits = 4;
 constexpr Real cells_per_normal = 64;
 const Real cells_per_coefficient = power_of_two(36);
-const Real look_around = power_of_two(-4);
-const Real look_along = power_of_two(-3);  // for the distance of a plane
+const Real fine_cells = power_of_two(fine_bits);
+const Real half_a_cell = power_of_two(-1);
 
-std::int64_t cell(Real v) {
-  const Real bound = power_of_two(62);
-  const Real upper = smaller(larger(v, -bound), bound) + Real(1) / 2;
-  const auto whole = static_cast<std::int64_t>(upper);
-  return Real(whole) > upper ? whole - 1 : whole;
-}
+// In cells, the first of which reaches from -1/2 to 1/2.
+std::int64_t fine_cell(Real v) { return floor_within_62_bits((v + half_a_cell) * fine_cells); }
+std::int64_t cell_of(std::int64_t fine) { return fine >> fine_bits; }
 
-Real reach_of(const RealHalfSpace& shape, std::size_t coordinate) {
-  return shape.kind == HalfSpaceKind::plane && coordinate == 3 ? look_along : look_around;
+std::int64_t fine_reach(const RealHalfSpace& shape, std::size_t coordinate) {
+  return shape.kind == HalfSpaceKind::plane && coordinate == 3 ? 2 : 1;
 }
+Real reach_of(const RealHalfSpace& shape, std::size_t coordinate) { return fine_reach(shape, coordinate) / fine_cells; }
 
 RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
   RealHalfSpace result = plane;
@@ -126,9 +125,10 @@ std::optional<Real> SurfaceMating::apart(const Candidate& candidate, const Leade
 std::optional<SurfaceMating::Match> SurfaceMating::find(const Candidate& candidate) const {
   std::vector<Key> corners(1);
   for (std::size_t i = 0; i < 10; ++i) {
-    const Real around = reach_of(candidate.surface.on_page, i);
-    const std::int64_t low = cell(candidate.position[i] - around);
-    const std::int64_t high = cell(candidate.position[i] + around);
+    const std::int64_t at = fine_cell(candidate.position[i]);
+    const std::int64_t around = fine_reach(candidate.surface.on_page, i);
+    const std::int64_t low = cell_of(at - around);
+    const std::int64_t high = cell_of(at + around);
     const std::size_t count = corners.size();
     for (std::size_t k = 0; k < count; ++k) {
       corners[k][i] = low;
@@ -182,7 +182,7 @@ SurfaceMating::Match SurfaceMating::add(const MatingSurface& surface, const Regi
     return match;
   }
   Key key{};
-  for (std::size_t i = 0; i < 10; ++i) key[i] = cell(as_written.position[i]);
+  for (std::size_t i = 0; i < 10; ++i) key[i] = cell_of(fine_cell(as_written.position[i]));
   cells_[key].push_back(leaders_.size());
   leaders_.push_back({own, as_written.position, region, region, {}, {}});
   enlist(as_written, leaders_.back());

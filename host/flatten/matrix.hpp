@@ -32,16 +32,19 @@ inline Vector3 unit(const Vector3& v) {
 
 inline constexpr Matrix4 identity_matrix{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
-// Most entries of a placement are 0, and a product in software is not free.
+// Most entries of a placement are 0 or 1, and a product in software is not free.
 inline void add_product(Real& sum, Real a, Real b) {
-  if (!is_zero(a) && !is_zero(b)) sum += a * b;
+  if (is_zero(a) || is_zero(b)) return;
+  const Real product = a == Real(1) ? b : a * b;
+  sum = is_zero(sum) ? product : sum + product;
 }
 
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) add_product(result[i][j], a[i][k], b[k][j]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(a[i][k])) continue;
+      for (std::size_t j = 0; j < 4; ++j) add_product(result[i][j], a[i][k], b[k][j]);
     }
   }
   return result;
@@ -85,15 +88,15 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
   }
   Matrix4 half{};  // T^-1 Q
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      for (std::size_t k = 0; k < 4; ++k) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(inverse[i][k])) continue;
+      for (std::size_t j = 0; j < 4; ++j) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
     }
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i; j < 4; ++j) {
-      Real entry = 0;
-      for (std::size_t k = 0; k < 4; ++k) add_product(entry, half[i][k], inverse[j][k]);
-      result.c[quadric_index[i][j]] = entry;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(half[i][k])) continue;
+      for (std::size_t j = i; j < 4; ++j) add_product(result.c[quadric_index[i][j]], half[i][k], inverse[j][k]);
     }
   }
   return result;

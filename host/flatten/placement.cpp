@@ -144,7 +144,7 @@ class Walk {
   };
 
   void place_one(const BodyStatement& body, PlacedGroup& group) {
-    PlacedBody placed{group.path + body.id, body.position, {}};
+    PlacedBody placed{group.path + body.id, body.position, {}, &body};
     for (const HalfSpaceReference& reference : body.half_spaces) {
       placed.uses.push_back({half_space_of(reference, group), reference.complement});
     }

@@ -38,6 +38,7 @@ struct PlacedBody {
   std::string name;  // with its path: stack_of_bundles[1]/bundle[3]/tube
   SourcePosition position;
   std::vector<HalfSpaceUse> uses;
+  const BodyStatement* statement = nullptr;
 };
 
 struct PlacedScene {

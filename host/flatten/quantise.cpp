@@ -1,5 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
+#include <cmath>
+
 #include "host/flatten/family.hpp"
 #include "host/flatten/least_scale.hpp"
 #include "host/flatten/rational.hpp"
@@ -40,10 +42,13 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
   return result;
 }
 
-// The least power of two that `attempt` makes something of.
-template <class Attempt>
-std::optional<Quantised> least_scale(Attempt attempt) {
-  return with_least_bits(0, scale_limit, [&](int bits) { return attempt(power_of_two(bits)); });
+// The least scale, a power of two, that `holds` of.
+template <class Holds>
+std::optional<Real> least_scale(Holds holds) {
+  return with_least_bits(0, scale_limit, [&](int bits) {
+    const Real scale = power_of_two(bits);
+    return holds(scale) ? std::optional(scale) : std::nullopt;
+  });
 }
 
 std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
@@ -56,45 +61,92 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   }
   const Vector4 form{h.c[0] / most, h.c[1] / most, h.c[2] / most, h.c[3] / most};
   const Real size = length({form[0], form[1], form[2]});
-  return least_scale([&](Real scale) -> std::optional<Quantised> {
-    const RoundedLinear r = rounded(form, scale);
-    const Real bound = reach(r.residual, box) / (scale * size);
-    if (bound > box.target) return std::nullopt;
-    Quantised result{{h.kind, {}}, bound};
-    for (std::size_t i = 0; i < 4; ++i) result.form.c[i] = r.integers[i];
-    return result;
-  });
+  const auto bound = [&](Real scale) { return reach(residual_of(form, scale), box) / (scale * size); };
+  const auto scale = least_scale([&](Real s) { return bound(s) <= box.target; });
+  if (!scale) return std::nullopt;
+  Quantised result{{h.kind, {}}, bound(*scale)};
+  for (std::size_t i = 0; i < 4; ++i) result.form.c[i] = round_to_integer(form[i] * *scale);
+  return result;
 }
 
-// An integer centre in 1/scale dot and an integer squared radius, whose sign is kept: |scale x - m|^2 = r2.
+// A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
+class RoundedSphere {
+ public:
+  RoundedSphere(const Vector3& centre, Real square)
+      : centre_(centre), square_(square), near_square_(static_cast<double>(square)) {
+    for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
+  }
+
+  [[nodiscard]] bool holds(Real scale, Real target) const {
+    if (const auto certain = holds_in_doubles(static_cast<double>(scale), static_cast<double>(target))) return *certain;
+    const Real r2 = squared_radius(scale);
+    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target;
+  }
+
+  [[nodiscard]] Real bound(Real scale) const {
+    Real bound = length(off_by(scale));
+    if (square_ > 0) bound += magnitude(square_root(squared_radius(scale)) / scale - square_root(square_));
+    return bound;
+  }
+
+  [[nodiscard]] IntegerForm form(Real scale, int sign) const {
+    IntegerForm result{HalfSpaceKind::quadric, {}};
+    const mpz_class side = sign * round_to_integer(scale);
+    mpz_class& constant = result.c[9];
+    constant = -round_to_integer(square_ * scale * scale);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const mpz_class m = round_to_integer(centre_[i] * scale);
+      result.c[i] = side * side;
+      result.c[6 + i] = -side * m;
+      constant += m * m;
+    }
+    if (sign < 0) {
+      for (std::size_t i : {0, 1, 2, 9}) result.c[i] = -result.c[i];
+    }
+    return result;
+  }
+
+ private:
+  // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
+  // at most, and then the radius by less than that over r scale^2.
+  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale, double target) const {
+    if (!(near_square_ * scale * scale >= 2)) return std::nullopt;
+    double sum_of_squares = 0;
+    double slack = target * 0x1p-40;
+    for (const double c : near_centre_) {
+      const double off = std::rint(c * scale) / scale - c;
+      sum_of_squares += off * off;
+      slack += std::abs(c) * 0x1p-50;
+    }
+    const double off = std::sqrt(sum_of_squares);
+    if (off > target + slack) return false;
+    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < target) return true;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Real squared_radius(Real scale) const { return nearest_whole(square_ * scale * scale); }
+  [[nodiscard]] Vector3 off_by(Real scale) const {
+    Vector3 off{};
+    for (std::size_t i = 0; i < 3; ++i) off[i] = nearest_whole(centre_[i] * scale) / scale - centre_[i];
+    return off;
+  }
+
+  Vector3 centre_;
+  Real square_;
+  std::array<double, 3> near_centre_{};
+  double near_square_;
+};
+
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
   const Real weight = reduced.squares[0].weight;
   Vector3 centre{};
   for (const SquareTerm& term : reduced.squares) {
     centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
   }
-  const Real square = -reduced.constant() / weight;
-  return least_scale([&](Real scale) -> std::optional<Quantised> {
-    const mpz_class r2 = round_to_integer(square * scale * scale);
-    if ((square > 0) != (r2 > 0) || (square < 0) != (r2 < 0)) return std::nullopt;
-    const IntegerPoint m = round_to_integers(scaled(centre, scale));
-    Vector3 off{};
-    for (std::size_t i = 0; i < 3; ++i) off[i] = to_real(m[i]) / scale - centre[i];
-    Real bound = length(off);
-    if (square > 0) bound += magnitude(square_root(to_real(r2)) / scale - square_root(square));
-    if (bound > box.target) return std::nullopt;
-    const int sign = weight < 0 ? -1 : 1;
-    Quantised result{{HalfSpaceKind::quadric, {}}, bound};
-    const mpz_class side = round_to_integer(scale);
-    for (std::size_t i = 0; i < 3; ++i) {
-      IntegerLinear linear;
-      linear[i] = side;
-      linear[3] = -m[i];
-      add_square(result.form, sign, linear);
-    }
-    result.form.c[9] -= sign * r2;
-    return result;
-  });
+  const RoundedSphere sphere(centre, -reduced.constant() / weight);
+  const auto scale = least_scale([&](Real s) { return sphere.holds(s, box.target); });
+  if (!scale) return std::nullopt;
+  return Quantised{sphere.form(*scale, weight < 0 ? -1 : 1), sphere.bound(*scale)};
 }
 
 // The least of |gradient / 2|^2 on a central quadric sum w l^2 = -constant is |constant| times the least weight of
@@ -117,21 +169,21 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
   const auto& [first, second, third] = reduced.squares;
   const Real least_weight =
       smaller(magnitude(first.weight), smaller(magnitude(second.weight), magnitude(third.weight)));
-  return least_scale([&](Real scale) -> std::optional<Quantised> {
-    Quantised result{{h.kind, {}}, 0};
+  const auto bound = [&](Real scale) -> std::optional<Real> {
     std::array<Real, 10> residual{};
-    for (std::size_t i = 0; i < 10; ++i) {
-      result.form.c[i] = round_to_integer(h.c[i] * scale);
-      residual[i] = to_real(result.form.c[i]) - h.c[i] * scale;
-    }
+    for (std::size_t i = 0; i < 10; ++i) residual[i] = nearest_whole(h.c[i] * scale) - h.c[i] * scale;
     Real bending = 0;
     for (std::size_t i = 0; i < 6; ++i) bending += (i < 3 ? 1 : 2) * magnitude(residual[i]);
     const Real error = quadric_reach(residual, box) / scale;
     if (bending / scale > least_weight / 4 || error > magnitude(reduced.constant()) / 4) return std::nullopt;
-    result.bound = gradient == 0 ? 0 : error / (2 * gradient);
-    if (result.bound > box.target) return std::nullopt;
-    return result;
-  });
+    const Real moved = gradient == 0 ? 0 : error / (2 * gradient);
+    return moved <= box.target ? std::optional(moved) : std::nullopt;
+  };
+  const auto scale = least_scale([&](Real s) { return bound(s).has_value(); });
+  if (!scale) return std::nullopt;
+  Quantised result{{h.kind, {}}, *bound(*scale)};
+  for (std::size_t i = 0; i < 10; ++i) result.form.c[i] = round_to_integer(h.c[i] * *scale);
+  return result;
 }
 
 bool is_sphere(const ReducedQuadric& reduced) {

@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cstdlib>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -10,20 +11,22 @@ constexpr int closeness_bits = 84;
 
 bool is_whole(Real v, Real tolerance) { return magnitude(v - nearest_whole(v)) <= tolerance; }
 
-// The least convergent denominator d, up to `limit`, that takes d v to within d * tolerance of an integer; 0 if none.
+// The least convergent denominator d, up to `limit` <= 2^32, that takes d v to within d * tolerance of an integer; 0 if none. Fractions of v
+// count to 2^-120, what Euclid leaves of them is by how much d v misses an integer.
 Real denominator_of(Real v, Real limit, Real tolerance) {
-  Real rest = v - nearest_whole(v);
-  Real before = 0;
-  Real current = 1;
-  while (current <= limit) {
-    if (is_whole(current * v, current * tolerance)) return current;
-    if (rest == 0) return 0;
-    const Real inverse = 1 / rest;
-    const Real quotient = nearest_whole(inverse);
-    rest = inverse - quotient;
-    const Real next = magnitude(quotient * current + before);
-    before = quotient < 0 ? -current : current;
-    current = next;
+  constexpr int unit_bits = 120;
+  const auto most = static_cast<std::uint64_t>(limit);
+  const Bits128 tolerated = whole_bits(tolerance * power_of_two(unit_bits));  // 2^68 at most
+  Bits128 whole = Bits128{1} << unit_bits;
+  Bits128 rest = whole_bits((v - floor_of(v)) * power_of_two(unit_bits));
+  std::uint64_t before = 0;
+  std::uint64_t current = 1;
+  while (current <= most) {
+    if (rest <= current * tolerated) return Real(current);
+    const Bits128 quotient = whole / rest;
+    if (quotient > most) return 0;
+    whole = std::exchange(rest, whole % rest);
+    before = std::exchange(current, static_cast<std::uint64_t>(quotient) * current + before);
   }
   return 0;
 }
@@ -49,7 +52,7 @@ std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> va
   return result;
 }
 
-mpq_class decimal_to_rational(const std::string& text) {
+Decimal decimal_of(const std::string& text) {
   std::string digits;
   long exponent = 0;
   bool fraction = false;
@@ -67,12 +70,21 @@ mpq_class decimal_to_rational(const std::string& text) {
       break;
     }
   }
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
-  const mpz_class whole(digits, 10);  // a leading zero must not make it octal
-  mpq_class result = exponent < 0 ? mpq_class(whole, power) : mpq_class(whole * power);
+  return {mpz_class(digits, 10), exponent};  // a leading zero must not make it octal
+}
+
+mpq_class decimal_to_rational(const std::string& text) {
+  const auto [digits, exponent] = decimal_of(text);
+  const mpz_class power = power_of_ten(std::labs(exponent));
+  mpq_class result = exponent < 0 ? mpq_class(digits, power) : mpq_class(digits * power);
   result.canonicalize();
   return result;
+}
+
+mpz_class power_of_ten(long exponent) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
+  return power;
 }
 
 }  // namespace halfspace

@@ -17,7 +17,13 @@ namespace halfspace {
 // a probability of 2^(2 bits - 84), and then it is as close as any other rounding.
 [[nodiscard]] std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> values, int bits);
 
-// A decimal literal, exactly.
+// A decimal literal, exactly: digits 10^exponent.
+struct Decimal {
+  mpz_class digits;
+  long exponent = 0;
+};
+[[nodiscard]] Decimal decimal_of(const std::string& text);
 [[nodiscard]] mpq_class decimal_to_rational(const std::string& text);
+[[nodiscard]] mpz_class power_of_ten(long exponent);  // not negative
 
 }  // namespace halfspace

@@ -2,19 +2,20 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
-using Words = RealWords;  // 112 bits of fraction below 15 of exponent and the sign
 constexpr int exponent_bias = 16383;
 constexpr int fraction_bits = 112;
-
-__extension__ using Bits128 = unsigned __int128;
+constexpr Bits128 hidden_bit = Bits128{1} << fraction_bits;
 
 struct Parts {
   Bits128 mantissa = 0;  // below 2^113
@@ -22,13 +23,13 @@ struct Parts {
   bool negative = false;
 };
 
+Bits128 mantissa_of(Real v) { return (v.bits() & (hidden_bit - 1)) | hidden_bit; }
+
 // Subnormal numbers (below 10^-4931) count as 0.
 Parts parts_of(Real v) {
-  const auto words = std::bit_cast<Words>(v);
-  const int biased = static_cast<int>(words[1] >> 48 & 0x7fff);
+  const int biased = v.exponent_bits();
   if (biased == 0) return {};
-  const std::uint64_t high = (words[1] & 0xffffffffffffU) | 0x1000000000000U;
-  return {Bits128{high} << 64 | words[0], biased - exponent_bias - fraction_bits, words[1] >> 63 != 0};
+  return {mantissa_of(v), biased - exponent_bias - fraction_bits, v.has_sign()};
 }
 
 int bit_width(Bits128 v) {
@@ -52,9 +53,7 @@ Real composed(Bits128 mantissa, long exponent, bool negative) {
     exponent += excess;
   }
   const auto biased = static_cast<std::uint64_t>(exponent + exponent_bias + fraction_bits);
-  const std::uint64_t high = static_cast<std::uint64_t>(mantissa >> 64) & 0xffffffffffffU;
-  return std::bit_cast<Real>(
-      Words{static_cast<std::uint64_t>(mantissa), (negative ? std::uint64_t{1} << 63 : 0) | biased << 48 | high});
+  return Real::of_bits(Bits128{negative} << 127 | Bits128{biased} << fraction_bits | (mantissa & (hidden_bit - 1)));
 }
 
 // m * 2^exponent, m cut to its 113 leading bits.
@@ -70,7 +69,7 @@ Real scaled(const mpz_class& m, long exponent) {
 }
 
 mpz_class to_integer(Bits128 v, bool negative) {
-  const Words words{static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)};
+  const std::array words{static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)};
   mpz_class result = words[0];
   if (words[1] != 0) mpz_import(result.get_mpz_t(), 2, -1, sizeof(std::uint64_t), 0, 0, words.data());
   if (negative) mpz_neg(result.get_mpz_t(), result.get_mpz_t());
@@ -107,10 +106,106 @@ class Mpfr {
 
 constexpr mpfr_prec_t working_bits = 192;
 
+Real zero(bool negative) { return Real::of_bits(Bits128{negative} << 127); }
+
+// Infinite and nan, 0 and subnormal.
+bool is_special(int exponent_bits) { return exponent_bits == 0 || exponent_bits == 0x7fff; }
+
+// The product of two 128-bit numbers.
+struct Product {
+  Bits128 high, low;
+};
+Product full_product(Bits128 a, Bits128 b) {
+  const auto a0 = static_cast<std::uint64_t>(a);
+  const auto a1 = static_cast<std::uint64_t>(a >> 64);
+  const auto b0 = static_cast<std::uint64_t>(b);
+  const auto b1 = static_cast<std::uint64_t>(b >> 64);
+  const Bits128 low = Bits128{a0} * b0;
+  const Bits128 left = Bits128{a1} * b0 + (low >> 64);                        // below 2^128: (2^64 - 1)^2 + 2^64 - 1
+  const Bits128 right = Bits128{a0} * b1 + static_cast<std::uint64_t>(left);  // likewise
+  return {Bits128{a1} * b1 + (left >> 64) + (right >> 64), right << 64 | static_cast<std::uint64_t>(low)};
+}
+
+// +-top * 2^(biased exponent of its leading bit, which is bit 127), to the nearest, ties to even; `more`: bits below are not all 0.
+Real rounded(Bits128 top, bool more, int biased, bool negative) {
+  constexpr int dropped = 127 - fraction_bits;
+  const Bits128 mantissa = top >> dropped;
+  const auto rest = (static_cast<unsigned>(top) & ((1U << dropped) - 1)) << 1 | (more ? 1U : 0U);
+  const bool up = rest + (static_cast<unsigned>(mantissa) & 1U) > 1U << dropped;
+  // A carry out of the mantissa raises the exponent and leaves 0.
+  const Bits128 size =
+      (Bits128{static_cast<unsigned>(biased)} << fraction_bits) + (mantissa - hidden_bit) + (up ? 1 : 0);
+  return Real::of_bits(Bits128{negative} << 127 | size);
+}
+
+// Up to 34 digits and 10^48 are whole numbers that 113 bits hold, the powers as 5^n 2^n: one product or quotient of them is rounded once.
+constexpr int most_digits = 34, most_power = 48;
+
+Real power_of_ten(int n) {
+  Bits128 five = 1;
+  for (int i = 0; i < n; ++i) five *= 5;
+  return composed(five, n, false);
+}
+
+// None: too long for that.
+std::optional<Real> short_decimal(const std::string& text) {
+  static const auto powers = [] {
+    std::array<Real, most_power + 1> all;
+    for (int n = 0; n <= most_power; ++n) all[static_cast<std::size_t>(n)] = power_of_ten(n);
+    return all;
+  }();
+  Bits128 digits = 0;
+  int count = 0;
+  int power = 0;
+  bool fraction = false;
+  for (const char c : text) {
+    if (c == '.') {
+      fraction = true;
+    } else if (c >= '0' && c <= '9') {
+      digits = digits * 10 + static_cast<unsigned>(c - '0');
+      if (digits != 0) ++count;
+      if (fraction) --power;
+      if (count > most_digits || -power > most_power) return std::nullopt;
+    } else if (c != '-') {
+      return std::nullopt;
+    }
+  }
+  return composed(digits, 0, text.front() == '-' && digits != 0) / powers[static_cast<std::size_t>(-power)];
+}
+
 }  // namespace
 
+Real operator*(Real a, Real b) {
+  const int exponent = a.exponent_bits() + b.exponent_bits() - exponent_bias;
+  if ((is_zero(a) && finite(b)) || (is_zero(b) && finite(a))) return zero(a.has_sign() != b.has_sign());
+  const bool special = is_special(a.exponent_bits()) || is_special(b.exponent_bits());
+  if (special || exponent < 1 || exponent > 0x7ffc) return Real::of(a.native() * b.native());
+  auto [high, low] = full_product(mantissa_of(a) << 15, mantissa_of(b) << 15);  // 2^254 at least
+  const bool long_one = high >> 127 != 0;
+  if (!long_one) high = high << 1 | low >> 127;
+  return rounded(high, (long_one ? low : low << 1) != 0, exponent + (long_one ? 1 : 0), a.has_sign() != b.has_sign());
+}
+
+// With 14 bits more and what is beyond them in the last: enough, as only terms of equal or neighbouring exponents cancel more than one
+// bit, and they lose none.
+Real operator+(Real a, Real b) {
+  if (a.size_bits() < b.size_bits()) std::swap(a, b);
+  const int exponent = a.exponent_bits();
+  if (is_zero(b) && !is_zero(a)) return a;
+  if (is_special(b.exponent_bits()) || exponent < 128 || exponent > 0x7ffd) return Real::of(a.native() + b.native());
+  const int apart = exponent - b.exponent_bits();
+  const Bits128 larger = mantissa_of(a) << 14;
+  const Bits128 whole = mantissa_of(b) << 14;
+  const Bits128 cut = apart < 127 ? whole >> apart : 0;
+  const Bits128 smaller = cut | (apart > 14 && (apart >= 127 || cut << apart != whole) ? 1 : 0);
+  const Bits128 sum = a.has_sign() == b.has_sign() ? larger + smaller : larger - smaller;
+  if (sum == 0) return 0;
+  const int up = 128 - bit_width(sum);
+  return rounded(sum << up, false, exponent + 1 - up, a.has_sign());
+}
+
 Real power_of_two(int exponent) {
-  return std::bit_cast<Real>(Words{0, static_cast<std::uint64_t>(exponent + exponent_bias) << 48});
+  return Real::of_bits(Bits128{static_cast<std::uint64_t>(exponent + exponent_bias)} << fraction_bits);
 }
 
 Real square_root(Real v) {
@@ -128,6 +223,7 @@ Real square_root(Real v) {
 }
 
 Real decimal_to_real(const std::string& text) {
+  if (const auto quick = short_decimal(text)) return *quick;
   Mpfr value(fraction_bits + 1);
   mpfr_set_str(value.get(), text.c_str(), 10, MPFR_RNDN);
   return value.to_real();
@@ -145,6 +241,23 @@ Real nearest_whole(Real v) {
   const Parts parts = parts_of(v);
   if (parts.mantissa == 0) return 0;
   return parts.exponent < 0 ? composed(nearest_whole_of(parts), 0, parts.negative) : v;
+}
+
+Bits128 whole_bits(Real v) {
+  const Parts parts = parts_of(v);
+  if (parts.exponent >= 0) return parts.mantissa << parts.exponent;
+  return -parts.exponent > fraction_bits ? 0 : parts.mantissa >> -parts.exponent;
+}
+
+std::int64_t floor_within_62_bits(Real v) {
+  constexpr std::int64_t most = std::int64_t{1} << 62;
+  const Parts parts = parts_of(v);
+  if (parts.mantissa == 0) return 0;
+  if (parts.exponent > 62 - (fraction_bits + 1)) return parts.negative ? -most : most;
+  const int shift = std::min(-parts.exponent, fraction_bits + 1);
+  const auto whole = static_cast<std::int64_t>(parts.mantissa >> shift);
+  if (!parts.negative) return whole;
+  return Bits128{static_cast<std::uint64_t>(whole)} << shift == parts.mantissa ? -whole : -whole - 1;
 }
 
 double double_above(Real v) {

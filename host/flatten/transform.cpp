@@ -27,8 +27,9 @@ Matrix4 inverse(const ScaleTransform& t) {
 }
 
 Matrix4 inverse(const ScaleAllTransform& t) {
+  const Real back = 1 / decimal_to_real(t.factor.text);
   Matrix4 m = identity_matrix;
-  for (std::size_t i = 0; i < 3; ++i) m[i][i] = 1 / decimal_to_real(t.factor.text);
+  for (std::size_t i = 0; i < 3; ++i) m[i][i] = back;
   return m;
 }
 

@@ -16,14 +16,17 @@ void JobBytes::number(std::int64_t value) {
 }
 
 void JobBytes::wide(const mpz_class& value) {
-  // n bytes hold -2^(8n-1) .. 2^(8n-1) - 1; a negative value is written as value + 2^(8n).
-  const int length = value == 0 ? 0 : bits_of(value < 0 ? mpz_class(-value - 1) : value) / 8 + 1;
+  // n bytes hold -2^(8n-1) .. 2^(8n-1) - 1; a negative value -v is written as the complement of v - 1.
+  const bool negative = sgn(value) < 0;
+  const mpz_class below = negative ? mpz_class(-value - 1) : mpz_class();
+  const mpz_srcptr bits = negative ? below.get_mpz_t() : value.get_mpz_t();
+  const std::size_t length = sgn(value) == 0 ? 0 : (mpz_sgn(bits) == 0 ? 0 : mpz_sizeinbase(bits, 2)) / 8 + 1;
+  static_assert(GMP_NUMB_BITS == 64);
   byte(static_cast<std::uint8_t>(length));
-  mpz_class bits = value;
-  if (bits < 0) bits += mpz_class(1) << (8 * length);
-  const std::size_t start = bytes_.size();
-  bytes_.resize(start + static_cast<std::size_t>(length));
-  if (bits != 0) mpz_export(bytes_.data() + start, nullptr, -1, 1, 0, 0, bits.get_mpz_t());
+  for (std::size_t i = 0; i < length; ++i) {
+    const auto part = static_cast<std::uint8_t>(mpz_getlimbn(bits, static_cast<mp_size_t>(i / 8)) >> (8 * (i % 8)));
+    byte(negative ? static_cast<std::uint8_t>(~part) : part);
+  }
 }
 
 }  // namespace halfspace

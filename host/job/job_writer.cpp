@@ -61,7 +61,7 @@ class JobWriter {
     }
     if (!result_.diagnostics.empty()) return std::move(result_);
     make_header();
-    result_.header.needs.spans = largest_pool;
+    result_.header.needs.spans = scene_.scissor.x1 - scene_.scissor.x0 + 1;  // spans of a line share no dot
     result_.bytes = bytes();
     if (options_.measure) {
       result_.header.needs.spans = measure();
@@ -112,8 +112,11 @@ void JobWriter::check_faces() {
   for (const Face& face : resolved_.faces) {
     const IntegerBody& body = scene_.bodies[face.body];
     const IntegerHalfSpace& half_space = body.half_spaces[face.half_space];
-    const FaceBits bits = face_bits(scene_, body, half_space);
+    const FaceBits above = face_bits_above(scene_, body, half_space);
     const auto too_wide = [](const mpz_class& c) { return bits_of(c) > 127; };
+    const bool is_known = all.covers(above) && (above.q == 0 || roots.covers(above)) && !check_face(above) &&
+                          level_bits(scene_, above) <= exact_bits;
+    const FaceBits bits = is_known ? above : face_bits(scene_, body, half_space);
     std::optional<std::string> fault = check_face(bits);
     if (std::abs(body.origin[0]) > largest_origin || std::abs(body.origin[1]) > largest_origin) {
       fault = "its local frame lies more than " + std::to_string(largest_origin) + " dots off";
@@ -242,7 +245,7 @@ std::int32_t JobWriter::measure() const {
   std::vector<std::uint64_t> memory(memory_needed(result_.header, 1) / 8 + 1);
   const DrawResult drawn = draw(source, sink, std::as_writable_bytes(std::span(memory)),
                                 {.shader = Shader::isqrt, .band_rows = 1, .measure = true}, all_modules);
-  return drawn.status == DrawStatus::ok ? drawn.peak_spans : largest_pool;
+  return drawn.status == DrawStatus::ok ? drawn.peak_spans : result_.header.needs.spans;
 }
 
 void JobWriter::write_header(JobBytes& out) const {
@@ -285,7 +288,13 @@ void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delt
     const bool against = h.complement != turn;
     out.byte(static_cast<std::uint8_t>((back ? 1 : 0) | (against ? 2 : 0)));
   }
-  for (int i = 0; i < (plane ? 4 : 10); ++i) out.wide(turn ? mpz_class(-h.c[i]) : h.c[i]);
+  for (int i = 0; i < (plane ? 4 : 10); ++i) {
+    if (turn) {
+      out.wide(-h.c[i]);
+    } else {
+      out.wide(h.c[i]);
+    }
+  }
 }
 
 // The dot at or left of which a conic or a line crosses scan line y, local.

@@ -16,7 +16,7 @@ namespace halfspace {
 struct JobOptions {
   Page page;  // width, height and levels must be the integer scene's
   Screen screen = Screen::clustered;
-  bool measure = true;  // sweep once to learn the fullest line; otherwise the largest pool is asked for
+  bool measure = true;  // sweep once to learn the fullest line; otherwise a span a dot is asked for
 };
 
 struct JobResult {

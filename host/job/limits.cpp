@@ -1,8 +1,10 @@
 #include "host/job/limits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
+#include "host/flatten/matrix.hpp"
 #include "host/job/job_bytes.hpp"
 
 namespace halfspace {
@@ -12,12 +14,12 @@ int bits_of_int(std::int64_t value) { return bits_of(mpz_class(static_cast<long>
 
 // The farthest local coordinate that a dot of the scissor, or one beside it, can have.
 struct Extent {
-  mpz_class x, y;
+  long x, y;
 };
 
 Extent extent_of(const Scissor& s, const std::array<std::int64_t, 3>& origin) {
   const auto far = [](std::int64_t low, std::int64_t high, std::int64_t o) {
-    return mpz_class(static_cast<long>(std::max(std::abs(low - 1 - o), std::abs(high + 2 - o))));
+    return static_cast<long>(std::max(std::abs(low - 1 - o), std::abs(high + 2 - o)));
   };
   return {far(s.x0, s.x1, origin[0]), far(s.y0, s.y1, origin[1])};
 }
@@ -30,6 +32,10 @@ int largest_origin_bits(const IntegerScene& scene) {
 
 }  // namespace
 
+bool FaceBits::covers(const FaceBits& other) const {
+  return p >= other.p && q >= other.q && d >= other.d && normal >= other.normal && linear >= other.linear;
+}
+
 void FaceBits::extend(const FaceBits& other) {
   p = std::max(p, other.p);
   q = std::max(q, other.q);
@@ -38,46 +44,73 @@ void FaceBits::extend(const FaceBits& other) {
   linear = std::max(linear, other.linear);
 }
 
-FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
+namespace {
+
+// Magnitudes as they are.
+struct Exact {
+  using Number = mpz_class;
+  static Number magnitude(const mpz_class& v) { return abs(v); }
+  static int bits(const Number& v) { return bits_of(v); }
+};
+
+// Magnitudes in doubles, and bits for 2^-40 more: no term is negative, and fewer than a hundred roundings make one number.
+struct Above {
+  using Number = double;
+  static Number magnitude(const mpz_class& v) { return std::abs(v.get_d()); }
+  static int bits(Number v) {
+    if (v == 0) return 0;
+    return std::isfinite(v) ? std::ilogb(v * (1 + 0x1p-40)) + 1 : 1 << 20;
+  }
+};
+
+template <class Way>
+FaceBits face_bits_by(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
+  using Number = typename Way::Number;
   const Extent e = extent_of(scene.scissor, body.origin);
-  std::array<mpz_class, 10> c;
-  for (int i = 0; i < 10; ++i) c[i] = abs(half_space.c[i]);
+  std::array<Number, 10> c;
+  for (std::size_t i = 0; i < 10; ++i) c[i] = Way::magnitude(half_space.c[i]);
   FaceBits bits;
-  mpz_class gradient;
   if (half_space.kind == HalfSpaceKind::plane) {
-    bits.p = bits_of(c[0] * e.x + c[1] * e.y + c[3]);
-    bits.d = bits_of(c[2]);
+    bits.p = Way::bits(c[0] * e.x + c[1] * e.y + c[3]);
+    bits.d = Way::bits(c[2]);
     bits.linear = bits.p;
     return bits;
   }
-  const mpz_class b = c[5] * e.x + c[4] * e.y + c[8];
-  const mpz_class rest =
+  const Number b = c[5] * e.x + c[4] * e.y + c[8];
+  const Number rest =
       c[0] * e.x * e.x + 2 * c[3] * e.x * e.y + c[1] * e.y * e.y + 2 * c[6] * e.x + 2 * c[7] * e.y + c[9];
-  const bool root = c[2] != 0;
-  const mpz_class p = root ? b : rest;
-  const mpz_class d = root ? c[2] : mpz_class(2 * b);
-  const mpz_class q = root ? mpz_class(b * b + c[2] * rest) : mpz_class(0);
-  bits.p = bits_of(p);
-  bits.q = bits_of(q);
-  bits.d = bits_of(d);
+  const bool root = half_space.c[2] != 0;
+  const Number p = root ? b : rest;
+  const Number d = root ? c[2] : Number(2 * b);
+  const Number q = root ? Number(b * b + c[2] * rest) : Number(0);
+  bits.p = Way::bits(p);
+  bits.q = Way::bits(q);
+  bits.d = Way::bits(d);
   bits.linear = root ? bits.p : 0;
-  static constexpr int row[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
-  mpz_class n;
-  for (int i = 0; i < 3; ++i) {
-    mpz_class sum;
-    for (int j = 0; j < 4; ++j) {
-      const mpz_class g = (c[row[j][0]] * e.x + c[row[j][1]] * e.y + c[row[j][3]]) * d + c[row[j][2]] * p;
-      mpz_class m = std::abs(static_cast<long>(scene.lighting.normal_matrix[i][j]));
-      if (j < 3) {
-        m += std::abs(static_cast<long>(scene.lighting.normal_matrix[i][3])) *
-             mpz_class(std::abs(static_cast<long>(body.origin[j])));
-      }
-      sum += m * g;
-    }
-    n = std::max(n, sum);
+  std::array<Number, 3> gradient;
+  Number far = 0;  // what the gradient's last component adds, by the matrix's last column
+  for (std::size_t j = 0; j < 4; ++j) {
+    const auto& row = quadric_index[j];
+    const Number g = (c[row[0]] * e.x + c[row[1]] * e.y + c[row[3]]) * d + c[row[2]] * p;
+    if (j < 3) gradient[j] = g;
+    far += g * (j < 3 ? static_cast<long>(std::abs(body.origin[j])) : 1L);
   }
-  bits.normal = bits_of(n);
+  for (const auto& row : scene.lighting.normal_matrix) {
+    Number sum = far * static_cast<long>(std::abs(row[3]));
+    for (std::size_t j = 0; j < 3; ++j) sum += gradient[j] * static_cast<long>(std::abs(row[j]));
+    bits.normal = std::max(bits.normal, Way::bits(sum));
+  }
   return bits;
+}
+
+}  // namespace
+
+FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
+  return face_bits_by<Exact>(scene, body, half_space);
+}
+
+FaceBits face_bits_above(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& half_space) {
+  return face_bits_by<Above>(scene, body, half_space);
 }
 
 std::optional<std::string> check_face(const FaceBits& f) {

@@ -18,10 +18,14 @@ struct FaceBits {
   int linear = 0;           // c0 x + c1 y + c3 of a plane, b of a root face: kept in 128 bits
 
   void extend(const FaceBits& other);  // the larger of each
+  [[nodiscard]] bool covers(const FaceBits& other) const;
 };
 
 [[nodiscard]] FaceBits face_bits(const IntegerScene& scene, const IntegerBody& body,
                                  const IntegerHalfSpace& half_space);
+// Not less than those, and mostly the same, in a hundredth of the time. They have a root if those have.
+[[nodiscard]] FaceBits face_bits_above(const IntegerScene& scene, const IntegerBody& body,
+                                       const IntegerHalfSpace& half_space);
 
 // What is too large for the core's filters, in words; nothing when every width holds.
 [[nodiscard]] std::optional<std::string> check_face(const FaceBits& face);

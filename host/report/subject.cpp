@@ -47,23 +47,25 @@ std::string first_error(const Diagnostics& diagnostics) {
   return "";
 }
 
-IntegerScene flat_scene(const SceneText& source, const PageSize& size, std::string& refusal) {
+// `boxes`: for the oracle.
+IntegerScene flat_scene(const SceneText& source, const PageSize& size, bool boxes, std::string& refusal) {
   const SourceText text{source.name, source.text};
   const ParseResult parsed = parse_uniquadrix(std::span(&text, 1));
   refusal = first_error(parsed.diagnostics);
   if (!refusal.empty()) return {};
-  FlattenResult flat = flatten(parsed.scene, {size.width, size.height, size.levels, 1, 1, ""});
+  FlattenResult flat = flatten(parsed.scene, {size.width, size.height, size.levels, 1, 1, "", boxes});
   refusal = first_error(flat.diagnostics);
   return std::move(flat.scene);
 }
 
-JobResult page_job(const IntegerScene& scene, const ResolvedScene& resolved, DotFormat format,
-                   std::int32_t background) {
-  return write_job(scene, resolved, {.page = {scene.width, scene.height, format, scene.levels, background}});
+JobResult page_job(const IntegerScene& scene, const ResolvedScene& resolved, DotFormat format, std::int32_t background,
+                   bool measured = true) {
+  return write_job(scene, resolved,
+                   {.page = {scene.width, scene.height, format, scene.levels, background}, .measure = measured});
 }
 
-JobResult bilevel_job(const IntegerScene& scene, std::string& refusal) {
-  JobResult job = page_job(scene, resolve(scene), DotFormat::bilevel, scene.levels - 1);
+JobResult bilevel_job(const IntegerScene& scene, bool measured, std::string& refusal) {
+  JobResult job = page_job(scene, resolve(scene), DotFormat::bilevel, scene.levels - 1, measured);
   if (refusal.empty()) refusal = first_error(job.diagnostics);
   return job;
 }
@@ -84,20 +86,21 @@ Subject make_subject(const SceneText& source, const PageSize& size) {
   Subject subject;
   subject.source = source;
   subject.size = size;
-  subject.scene = flat_scene(source, size, subject.refusal);
+  subject.scene = flat_scene(source, size, true, subject.refusal);
   if (!subject.refusal.empty()) return subject;
-  subject.job = bilevel_job(subject.scene, subject.refusal);
+  subject.job = bilevel_job(subject.scene, true, subject.refusal);
   IntegerScene empty = subject.scene;
   empty.bodies.clear();
-  subject.empty_job = bilevel_job(empty, subject.refusal);
+  subject.empty_job = bilevel_job(empty, true, subject.refusal);
   return subject;
 }
 
+// As `halfspace render` does: without what only an oracle or a controller's memory asks for.
 std::uint64_t draw_from_text(const SceneText& source, const PageSize& size, const ListedShader& shader) {
   std::string refusal;
   std::vector<std::uint64_t> memory;
-  const IntegerScene scene = flat_scene(source, size, refusal);
-  return draw_job(bilevel_job(scene, refusal), shader, memory);
+  const IntegerScene scene = flat_scene(source, size, false, refusal);
+  return draw_job(bilevel_job(scene, false, refusal), shader, memory);
 }
 
 std::uint64_t draw_job(const JobResult& job, const ListedShader& shader, std::vector<std::uint64_t>& memory) {

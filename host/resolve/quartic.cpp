@@ -149,19 +149,38 @@ bool is_zero(const QuarticForm& p) {
 }
 
 Polynomial restricted(const QuarticForm& p, const mpz_class& y) {
-  Polynomial f;
-  for (std::size_t i = 0; i <= 4; ++i) f.push_back(value_at(coefficient_of(p, i), y));
+  Polynomial f(5);
+  for (std::size_t i = 0; i <= 4; ++i) {
+    for (std::size_t j = 5 - i; j-- > 0;) {
+      f[i] *= y;
+      f[i] += p.q[quartic_index(i, j)];
+    }
+  }
   return f;
 }
 
 Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step, const mpz_class& denominator,
                  const mpz_class& start) {
-  const Polynomial x{at, step};
-  Polynomial sum;
+  const std::size_t order = degree_of(p);
+  Polynomial sum(order + 1);
   mpz_class scale = 1;
-  for (std::size_t i = 5; i-- > 0;) {  // Horner's scheme in x
-    const Polynomial c = times(shifted(coefficient_of(p, i), start), {scale});
-    sum = plus(times(sum, x), c);
+  for (std::size_t i = order + 1; i-- > 0;) {  // Horner's scheme in x
+    const std::size_t rest = order - i;
+    for (std::size_t k = rest; k > 0; --k) {
+      sum[k] *= at;
+      add_product(sum[k], sum[k - 1], step);
+    }
+    sum[0] *= at;
+    std::array<mpz_class, 5> c;  // of x^i, in powers of t
+    for (std::size_t j = rest + 1; j-- > 0;) {
+      for (std::size_t k = rest - j; k > 0; --k) {
+        c[k] *= start;
+        c[k] += c[k - 1];
+      }
+      c[0] *= start;
+      c[0] += p.q[quartic_index(i, j)];
+    }
+    for (std::size_t j = 0; j <= rest; ++j) add_product(sum[j], scale, c[j]);
     scale *= denominator;
   }
   return sum;

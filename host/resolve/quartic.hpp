@@ -33,7 +33,7 @@ void make_canonical(QuarticForm& p);
 // On the scan line y, in powers of x.
 [[nodiscard]] Polynomial restricted(const QuarticForm& p, const mpz_class& y);
 
-// denominator^4 p(x, y) on the line x = (at + step t) / denominator, y = start + t, in powers of t.
+// denominator^n p(x, y), n its degree, on the line x = (at + step t) / denominator, y = start + t, in powers of t.
 [[nodiscard]] Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step,
                                const mpz_class& denominator, const mpz_class& start);
 

@@ -2,6 +2,7 @@
 #include "host/flatten/real.hpp"
 
 #include <gtest/gtest.h>
+#include <mpfr.h>
 
 #include <random>
 
@@ -56,6 +57,62 @@ TEST(Real, IntegersKeepTheirLeadingBits) {
     ASSERT_EQ(to_real(v), to_real(leading) * power_of_two(static_cast<int>(more)));
     ASSERT_EQ(to_real(-v), -to_real(v));
   }
+}
+
+// Bits of any kind, and such as meet: equal or neighbouring exponents, few bits, opposite numbers.
+Bits128 random_bits(Dice& dice, Bits128 other) {
+  const auto near_one = static_cast<Bits128>(16383 - 70 + dice() % 140) << 112;
+  Bits128 bits = Bits128{dice()} << 64 | dice();
+  const auto kind = dice() % 6;
+  if (kind > 0) bits = (bits & ~(Bits128{0x7fff} << 112)) | near_one;
+  if (kind > 2) bits = bits >> (dice() % 112) << (dice() % 112);
+  if (kind > 3) bits = (bits & ~(Bits128{0x7fff} << 112)) | near_one;
+  if (kind == 5) bits = (other + dice() % 5 - 2) ^ Bits128 { dice() % 2 } << 127;
+  return dice() % 50 == 0 ? Bits128{dice() % 2} << 127 : bits;
+}
+
+bool is_same(Real own, NativeReal native) {
+  const Real expected = Real::of(native);
+  return own.bits() == expected.bits() || (own.is_nan() && expected.is_nan());
+}
+
+TEST(Real, ArithmeticIsTheCompilers) {
+  Dice dice(4);
+  for (int trial = 0; trial < 400000; ++trial) {
+    const Real a = Real::of_bits(random_bits(dice, 0));
+    const Real b = Real::of_bits(random_bits(dice, a.bits()));
+    ASSERT_TRUE(is_same(a + b, a.native() + b.native())) << trial;
+    ASSERT_TRUE(is_same(a - b, a.native() - b.native())) << trial;
+    ASSERT_TRUE(is_same(a * b, a.native() * b.native())) << trial;
+    ASSERT_TRUE(is_same(a / b, a.native() / b.native())) << trial;
+    ASSERT_EQ(a < b, a.native() < b.native()) << trial;
+    ASSERT_EQ(a <= b, a.native() <= b.native()) << trial;
+    ASSERT_EQ(a == b, a.native() == b.native()) << trial;
+    ASSERT_EQ(finite(a), a.native() - a.native() == 0) << trial;
+  }
+}
+
+Real by_mpfr(const std::string& text) {
+  mpfr_t value;
+  mpfr_init2(value, 113);
+  mpfr_set_str(value, text.c_str(), 10, MPFR_RNDN);
+  mpz_class mantissa;
+  const mpfr_exp_t exponent = mpfr_zero_p(value) != 0 ? 0 : mpfr_get_z_2exp(mantissa.get_mpz_t(), value);
+  mpfr_clear(value);
+  return to_real(mantissa) * power_of_two(static_cast<int>(exponent));
+}
+
+TEST(Real, DecimalsAreRoundedOnce) {
+  Dice dice(5);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::string text(dice() % 8, '0');
+    text.append(random_below(dice, static_cast<int>(dice() % 150)).get_str());
+    if (dice() % 4 != 0) text.insert(text.begin() + static_cast<std::ptrdiff_t>(dice() % (text.size() + 1)), '.');
+    if (dice() % 2 != 0) text.insert(text.begin(), '-');
+    if (dice() % 8 == 0) text.append("e").append(std::to_string(static_cast<int>(dice() % 60) - 30));
+    ASSERT_EQ(decimal_to_real(text), by_mpfr(text)) << text;
+  }
+  EXPECT_FALSE(has_sign(decimal_to_real("-0.0")));
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#include "host/flatten/ellipsoid_extent.hpp"
+
+namespace halfspace {
+namespace {
+
+// A point, or nearly one, is none of those told here.
+constexpr int least_size_bits = 80;
+
+// The cofactors of the second-order part, in the places of its coefficients.
+std::array<Real, 6> cofactors(const std::array<Real, 10>& c) {
+  return {c[1] * c[2] - c[4] * c[4], c[0] * c[2] - c[5] * c[5], c[0] * c[1] - c[3] * c[3],
+          c[4] * c[5] - c[3] * c[2], c[3] * c[5] - c[4] * c[0], c[3] * c[4] - c[5] * c[1]};
+}
+
+// Of the second-order part, if it is clearly definite and positive; else 0.
+Real determinant(const std::array<Real, 10>& c, const std::array<Real, 6>& cofactor) {
+  Real most = 0;
+  for (std::size_t i = 0; i < 6; ++i) most = larger(most, magnitude(c[i]));
+  if (smaller(c[0], smaller(c[1], c[2])) <= most * power_of_two(-16) || !(cofactor[2] > 0)) return 0;
+  const Real det = c[0] * cofactor[0] + c[3] * cofactor[3] + c[5] * cofactor[5];
+  return det > c[0] * c[1] * c[2] * power_of_two(-20) ? det : 0;
+}
+
+}  // namespace
+
+std::optional<Box> ellipsoid_extent(const Side& side) {
+  std::array<Real, 10> c = side.shape.c;
+  if (side.shape.kind == HalfSpaceKind::plane) return std::nullopt;
+  if (side.complement) {
+    for (Real& v : c) v = -v;
+  }
+  const std::array<Real, 6> cofactor = cofactors(c);
+  const Real det = determinant(c, cofactor);
+  if (!(det > 0)) return std::nullopt;
+  Vector3 middle{};
+  Real size = -c[9];
+  Real terms = magnitude(c[9]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = quadric_index[i];
+    const Vector3 gradient{c[6], c[7], c[8]};
+    middle[i] = -dot({cofactor[row[0]], cofactor[row[1]], cofactor[row[2]]}, gradient) / det;
+    size -= c[6 + i] * middle[i];
+    terms += magnitude(c[6 + i] * middle[i]);
+  }
+  if (!(size > terms * power_of_two(-least_size_bits))) return std::nullopt;
+  Vector3 half{};
+  for (std::size_t i = 0; i < 3; ++i) half[i] = square_root(size * cofactor[i] / det);
+  return Box{difference(middle, half), sum(middle, half)};
+}
+
+}  // namespace halfspace
