@@ -172,13 +172,16 @@ std::int64_t LevelBar::excess(const ArcLight& at) const {
   return (at.light < 0 ? -l2 : l2) - product(static_cast<std::uint64_t>(square), static_cast<std::uint64_t>(at.square));
 }
 
+std::int64_t LevelBar::slope(const ArcLight& at) const {
+  const std::int64_t l = at.light < 0 ? -at.light : at.light;
+  return 2 * ((l >> 31) * (at.light_slope >> 31)) - (square >> 31) * (at.square_slope >> 31);
+}
+
 // -excess / slope in units of tau, to some 15 bits; 2^32 where it would be more.
 std::int64_t LevelBar::step(const ArcLight& at, std::int64_t excess) const {
-  const std::int64_t l = at.light < 0 ? -at.light : at.light;
-  const std::int64_t slope =
-      2 * ((l >> 31) * (at.light_slope >> 31)) - (square >> 31) * (at.square_slope >> 31);  // 2^-58
   constexpr std::int64_t far = std::int64_t{1} << 32;
   const std::uint64_t n = magnitude(excess);
+  const std::int64_t slope = this->slope(at);
   const std::uint64_t d = magnitude(slope);
   if (n >> 2 >= d) return far;
   // n / 4 d with the divisor cut to 16 bits and the dividend to 32.

@@ -69,6 +69,7 @@ struct LevelBar {
   std::int64_t square = 0;  // t^2, 2^-60
 
   [[nodiscard]] std::int64_t excess(const ArcLight& at) const;
+  [[nodiscard]] std::int64_t slope(const ArcLight& at) const;  // 2^-58
   [[nodiscard]] std::int64_t step(const ArcLight& at, std::int64_t excess) const;
 };
 }  // namespace halfspace

@@ -58,7 +58,12 @@ bool is_parallel(const Outline& outline) {
   return outline.spread().bit_length() <= outline.product(1, 1).bit_length() - 24 || outline.spread().bit_length() <= outline.product(0, 2).bit_length() - 24;
 }
 
-constexpr int line_range_bits = std::bit_width(static_cast<std::uint32_t>(survey_lines)) - 1;
+// Of the lines that a survey is to hold for. Where a cone grows much over them, a power of their number over the growth is as small as if
+// there were no more than 1 / spread.
+int line_bits_of(const Pencil& p) {
+  constexpr int bits = std::bit_width(static_cast<std::uint32_t>(survey_lines)) - 1;
+  return p.spread.is_zero() ? bits : std::clamp(1 - p.spread.bits(), 0, bits);
+}
 
 // A form about a dot: at + x X + y Y + xx X^2 + xy X Y + yy Y^2.
 struct Form {
@@ -70,16 +75,18 @@ struct Form {
 // as far as the survey is to hold, becomes an error of the form on the line; divided by that growth, 1/4 at least, it is at most 16 and
 // 4 times so much.
 void hold_on_all_lines(Form& f, const Pencil& p) {
+  const int lines = line_bits_of(p);
   const int growth = p.spread.is_zero() ? 0 : 4;
   const Real linear = f.x * p.slope + f.y - (f.at * p.spread + f.at * p.spread);
   const Real bend = (f.xx + f.xx) * p.slope + f.xy - f.x * p.spread;
   const Real square = (f.xx * p.slope + f.xy) * p.slope + f.yy - f.at * p.spread * p.spread;
-  f.at = f.at.blurred(linear, line_range_bits + growth).blurred(square, 2 * line_range_bits + growth);
-  f.x = f.x.blurred(bend, line_range_bits + growth).blurred(bend * p.spread, 2 * line_range_bits + growth);
+  f.at = f.at.blurred(linear, lines + growth).blurred(square, 2 * lines + growth);
+  f.x = f.x.blurred(bend, lines + growth).blurred(bend * p.spread, 2 * lines + growth);
 }
 void hold_linear_on_all_lines(Form& f, const Pencil& p) {
+  const int lines = line_bits_of(p);
   const int growth = p.spread.is_zero() ? 0 : 2;
-  f.at = f.at.blurred(f.x * p.slope + f.y - f.at * p.spread, line_range_bits + growth);
+  f.at = f.at.blurred(f.x * p.slope + f.y - f.at * p.spread, lines + growth);
 }
 
 // The error of a form, in its own units.
@@ -284,11 +291,18 @@ class Survey {
     add_place(place);
     return true;
   }
-  // Of L^2 - t^2 |N|^2 the slope is at most 8.
+  // The level is sure to be the same all the way.
   [[nodiscard]] bool keeps_level(std::uint32_t way) const {
-    const std::int64_t change = (static_cast<std::int64_t>(way) << (60 - 32 + 3)) + arc_.unsure();
-    return (level_ <= job_.table.ambient_level || bar(level_).excess(light_) > change) &&
-           (level_ >= job_.table.top_level || bar(level_ + 1).excess(light_) < -change);
+    return (level_ <= job_.table.ambient_level || holds_off(bar(level_), way) > 0) &&
+           (level_ >= job_.table.top_level || holds_off(bar(level_ + 1), way) < 0);
+  }
+  // The sign of the excess if it is sure to be the same all the way: it changes by the slope times the way and half the bend, 12, times
+  // its square at most. The slope's factors are cut to within 2^-28.
+  [[nodiscard]] int holds_off(const LevelBar& bar, std::int64_t way) const {
+    const std::int64_t excess = bar.excess(light_);
+    const std::int64_t slope = bar.slope(light_);
+    const std::int64_t change = (((slope < 0 ? -slope : slope) >> 26) + 256) * way / 16 + way * way + arc_.unsure();
+    return excess > change ? 1 : (excess < -change ? -1 : 0);
   }
   // A change between two places.
   [[nodiscard]] bool holds(std::int32_t from, std::int32_t to) {

@@ -32,10 +32,12 @@ class StraightSpan {
     constexpr std::int64_t wide = std::int64_t{1} << (14 + place_bits);
     if (left <= -far || left >= far || width < one_dot || width >= wide || width < s_.width >> (to_places + 2)) return;
     width_ = static_cast<std::uint32_t>(width);
-    const std::int32_t unit = static_cast<std::int32_t>(width >> 24) + 1;  // of p
-    unsure_ = (s_.entry_width + 1) * unit + 6;  // an entry's level counts as less than a unit
-    base_ = static_cast<std::int32_t>(left) + 4 + s_.entry_width * unit;
-    is_usable_ = (x0 << place_bits) >= end_of(0) - unsure_ && (x1 << place_bits) <= end_of(s_.entries - 1);
+    // An entry's level counts as less than a unit of p.
+    const std::int32_t unit = static_cast<std::int32_t>(width >> 24) + 1;
+    const std::int32_t entry = upper(static_cast<std::uint32_t>(s_.entry_width) << 8, width_) + 1;
+    unsure_ = entry + unit + 6;
+    base_ = static_cast<std::int32_t>(left) + 4 + entry;
+    is_usable_ = unsure_ < one_dot / 8 && (x0 << place_bits) >= end_of(0) - unsure_ && (x1 << place_bits) <= end_of(s_.entries - 1);
   }
   // The rulings of the whole span have been surveyed.
   [[nodiscard]] bool is_usable() const { return is_usable_; }
