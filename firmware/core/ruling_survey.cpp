@@ -412,9 +412,14 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
 // What it is above 0 for, such as a cylinder written in decimals, cross_line() makes an error.
 bool has_straight_contours(const ShadeJob& job) {
   const Outline d(job.face);
-  const Product a = (d.product(0, 2, 5) << 2) + d.product(1, 3, 4);
-  const Product b = d.product(0, 4, 4) + d.product(2, 3, 3) + d.product(5, 1, 1);
-  return (a - b).bit_length() <= std::max(d.product(0, 2, 5).bit_length(), d.product(0, 4, 4).bit_length()) - 16;
+  const Product terms[5] = {d.product(0, 2, 5) << 2, d.product(1, 3, 4), -d.product(0, 4, 4), -d.product(2, 3, 3), -d.product(5, 1, 1)};
+  Product sum;
+  int most = 0;
+  for (const Product& term : terms) {
+    sum += term;
+    most = std::max(most, term.bit_length());
+  }
+  return sum.bit_length() <= most - 16;
 }
 
 bool has_wide_coefficients(const ActiveFace& face) {

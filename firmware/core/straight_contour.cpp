@@ -48,7 +48,7 @@ class StraightSpan {
       const std::int32_t middle = i + (end - i) / 2;
       (end_of(middle) < x0_ << place_bits ? i : end) = end_of(middle) < x0_ << place_bits ? middle + 1 : middle;
     }
-    level_ = level_of(entries_[std::max(i - 1, 0)]);
+    level_ = level_of(entries_[i > 0 ? i - 1 : 0]);
     from_ = x0_;
     RunPainter run(job_.painter, x0_, level_);
     for (i = paint_certain(run, i); i < s_.entries; i = paint_certain(run, i + 1)) ask(run, i);
@@ -141,7 +141,7 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   if (s.waited < survey_dots << s.failures) return false;
   s.waited = 0;
   if (!survey_rulings(job, y, x0, x1)) {
-    s.failures = std::min(s.failures + 1, 24U);
+    s.failures = std::min<std::uint32_t>(s.failures + 1, 24);
     return false;
   }
   s.failures = 0;
