@@ -69,9 +69,15 @@ std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& va
 bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, std::int64_t light_squared) {
   const Real ss = a.s * b.s;
   const Real polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
-  const Real whole = polar + ss;
+  // polar + ss and polar - ss: one of them without cancellation, the other by their product polar^2 - ss^2.
+  const Real width = b.x - a.x;
+  const Real product = (line.d1.half() * line.d1.half() - line.d0 * line.d2) * width * width;
+  const bool is_convex = polar.sign() < 0;
+  const Real sure = is_convex ? polar - ss : polar + ss;
+  const Real other = product / sure;
+  const Real& whole = is_convex ? other : sure;
+  const Real& rest = is_convex ? sure : other;
   if (whole.sign() <= 0) return false;
-  const Real rest = polar - ss;
   const Real kappa = Real(1) / (whole + whole).root();
   const Real weight_a = kappa * a.s;
   const Real weight_b = kappa * b.s;

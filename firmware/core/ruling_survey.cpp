@@ -383,7 +383,7 @@ class Survey {
 
 bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   // A cone's lines towards its apex need more of its rulings: those of a quarter of the way.
-  const std::int32_t beyond = 64 + (x1 - x0) * 2;
+  const std::int32_t beyond = 64 + (x1 - x0) * 3 / 2;
   StraightContours& out = job.contours->straight;
   out.entries = 0;
   const Outline outline(job.face);
