@@ -37,6 +37,8 @@ void value_and_slope(const std::array<std::int64_t, N>& c, std::uint32_t tau, st
   }
 }
 
+Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
 // Powers of tau from the coefficients of sigma^i tau^j, binomials taken in.
 std::array<Real, 3> powers(const Real& a, const Real& b, const Real& c) { return {a, b - (a + a), a - b + c}; }
 std::array<Real, 5> powers(const Real& a, const Real& b, const Real& c, const Real& d, const Real& e) {
@@ -66,7 +68,7 @@ std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& va
 
 }  // namespace
 
-bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, std::int64_t light_squared) {
+bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting) {
   const Real ss = a.s * b.s;
   const Real polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
   // polar + ss and polar - ss: one of them without cancellation, the other by their product polar^2 - ss^2.
@@ -81,26 +83,30 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, std
   const Real kappa = Real(1) / (whole + whole).root();
   const Real weight_a = kappa * a.s;
   const Real weight_b = kappa * b.s;
-  const Real lift = kappa * rest;  // kappa T = weight_b A + weight_a B + lift e, e along s
+  const Real lift = kappa * rest;  // kappa T = weight_b A + weight_a B + lift along s
 
-  const Real norm = Real(1) / Real(light_squared).root();
-  const Real l0 = (line.light + line.light_step * a.x + line.light_root * a.s) * norm;
-  const Real l2 = (line.light + line.light_step * b.x + line.light_root * b.s) * norm;
-  const Real l1 = weight_b * l0 + weight_a * l2 + line.light_root * lift * norm;
-
-  const Real root_a = line.root + line.root_step * a.x;
-  const Real root_b = line.root + line.root_step * b.x;
-  const auto square_at = [&line](const ArcEnd& p, const Real& root) {
-    return line.square + (line.square_step + line.square_bend * p.x) * p.x + root * p.s;
-  };
-  const Real n0 = square_at(a, root_a);
-  const Real n4 = square_at(b, root_b);
-  const Real across = line.square + (line.square_step * (a.x + b.x) + root_a * b.s + root_b * a.s).half() +
-                      line.square_bend * a.x * b.x;
-  const Real n1 = weight_b * n0 + weight_a * across + (lift * root_a).half();
-  const Real n3 = weight_b * across + weight_a * n4 + (lift * root_b).half();
-  const Real pole = weight_b * n1 + weight_a * n3 + (lift * (weight_b * root_a + weight_a * root_b)).half();
-  const Real n2 = across + pole + pole;  // three times Bernstein's
+  RealVector na;
+  RealVector nb;
+  RealVector nt;
+  RealVector towards;  // the light: of length 1
+  std::int64_t light_squared = 0;
+  for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
+  const Real length = Real(light_squared).root();
+  for (std::size_t i = 0; i < 3; ++i) {
+    na[i] = line.normal[i] + line.normal_step[i] * a.x + line.normal_root[i] * a.s;
+    nb[i] = line.normal[i] + line.normal_step[i] * b.x + line.normal_root[i] * b.s;
+    nt[i] = weight_b * na[i] + weight_a * nb[i] + lift * line.normal_root[i];
+    towards[i] = Real(lighting.light[i]) / length;
+  }
+  const Real l0 = dot(towards, na);
+  const Real l1 = dot(towards, nt);
+  const Real l2 = dot(towards, nb);
+  const Real n0 = dot(na, na);
+  const Real n1 = dot(na, nt);
+  const Real pole = dot(nt, nt);
+  const Real n2 = dot(na, nb) + pole + pole;  // three times Bernstein's
+  const Real n3 = dot(nt, nb);
+  const Real n4 = dot(nb, nb);
 
   const std::array<Real, 3> light = powers(l0, l1 + l1, l2);
   const std::array<Real, 5> square = powers(n0, Real(4) * n1, n2 + n2, Real(4) * n3, n4);

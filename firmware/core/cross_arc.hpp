@@ -2,7 +2,7 @@
 //   A scan line meets the face in an arc of the conic s^2 = D(x). From A = (xA, sA) to B it is the rational curve
 //     A sigma^2 + 2 kappa T sigma tau + B tau^2,    sigma = 1 - tau,
 //     T = sB A + sA B + (0, P - sA sB),    kappa^2 = 1 / 2 (P + sA sB),    P the polar form of D at xA and xB,
-//   in homogeneous (x, s, 1): T is the pole of the chord. So, up to one positive factor that changes with tau,
+//   in homogeneous (x, s, 1): T is the pole of the chord. So is N, linear there, but for a positive factor that changes with tau, and
 //     L = l0 sigma^2 + 2 l1 sigma tau + l2 tau^2                  |N|^2: of fourth degree, n0 .. n4 in Bernstein form
 //   and the intensity L / |N| rises where the quartic w = dL/dtau n - L dn/dtau / 2 (its fifth power cancels) is positive.
 //   All lines have the same arc, since N keeps its direction along a ruling: tau tells the ruling.
@@ -21,13 +21,13 @@
 
 namespace halfspace {
 
+using RealVector = std::array<Real, 3>;
+
 // One scan line's forms about a dot of it: x counts from there.
 struct CrossLine {
-  Real d0, d1, d2;         // D = d2 + d1 x + d0 x^2
-  Real light, light_step;  // L = light + light_step x + light_root s
-  Real light_root;
-  Real square, square_step, square_bend;  // |N|^2 = square + square_step x + square_bend x^2 + (root + root_step x) s
-  Real root, root_step;
+  Real d0, d1, d2;                 // D = d2 + d1 x + d0 x^2
+  RealVector normal, normal_step;  // N = normal + normal_step x + normal_root s
+  RealVector normal_root;
 };
 
 struct ArcEnd {
@@ -42,7 +42,7 @@ struct ArcLight {
 class CrossArc {
  public:
   // False where the forms cannot be told well enough.
-  [[nodiscard]] bool make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, std::int64_t light_squared);
+  [[nodiscard]] bool make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting);
 
   [[nodiscard]] ArcLight at(std::uint32_t tau) const;
   [[nodiscard]] std::int32_t place(std::uint32_t tau) const;

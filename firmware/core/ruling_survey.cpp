@@ -89,30 +89,6 @@ void hold_linear_on_all_lines(Form& f, const Pencil& p) {
   f.at = f.at.blurred(f.x * p.slope + f.y - f.at * p.spread, lines + growth);
 }
 
-// The error of a form, in its own units.
-constexpr std::int64_t rounding(bool rounded, int bits) { return rounded ? std::int64_t{1} << bits : 0; }
-
-Form form_of(const ScaledQuadratic& f, std::int32_t x, std::int32_t y) {
-  const int e = f.exponent;
-  const bool rounded = e > 0;
-  const auto coefficient = [&](const Wide<128>& q) { return Real(q, e, rounding(rounded, 0)); };
-  const auto slope = [&](const Wide<128>& q) { return Real(q, e, rounding(rounded, linear_error_bits)); };
-  return {Real(f.at(x, y), e, rounding(rounded, quadratic_error_bits)),
-          slope(f.q[0].times(2 * x) + f.q[1].times(y) + f.q[3]),
-          slope(f.q[1].times(x) + f.q[2].times(2 * y) + f.q[4]),
-          coefficient(f.q[0]),
-          coefficient(f.q[1]),
-          coefficient(f.q[2])};
-}
-Form form_of(const ScaledLinear& f, int exponent, bool rounded, std::int32_t x, std::int32_t y) {
-  const auto coefficient = [&](const Wide<128>& q) { return Real(q, exponent, rounding(rounded, 0)); };
-  return {Real(f.at(x, y), exponent, rounding(rounded, linear_error_bits)),
-          coefficient(f.q[0]),
-          coefficient(f.q[1]),
-          {},
-          {},
-          {}};
-}
 Form form_of(const Outline& outline, std::int32_t x, std::int32_t y) {
   const auto& q = outline.q;
   return {Real((q[0].times(x) + q[1].times(y) + q[3]).times(x) + (q[2].times(y) + q[4]).times(y) + q[5], 0),
@@ -124,23 +100,25 @@ Form form_of(const Outline& outline, std::int32_t x, std::int32_t y) {
 }
 
 // About dot (x, y) of the face's frame, and good for all lines of the survey.
-CrossLine cross_line(const Outline& outline, const RootSurface& s, const Pencil& pencil, std::int32_t x,
+CrossLine cross_line(const ShadeJob& job, const Outline& outline, const Pencil& pencil, std::int32_t x,
                      std::int32_t y) {
-  const int half = s.discriminant.exponent / 2;
-  const int light_exponent = s.light.exponent;
-  const int square_exponent = s.square.exponent;
   Form d = form_of(outline, x, y);
-  Form square = form_of(s.square, x, y);
-  Form light = form_of(s.light, light_exponent, light_exponent > 0, x, y);
-  Form root = form_of(s.square_root, square_exponent - half, square_exponent > half, x, y);
   hold_on_all_lines(d, pencil);
-  hold_on_all_lines(square, pencil);
-  hold_linear_on_all_lines(light, pencil);
-  hold_linear_on_all_lines(root, pencil);
-  return {d.xx,      d.x,       d.at,
-          light.at,  light.x,   Real(s.light_root, light_exponent - half, rounding(light_exponent > half, 0)),
-          square.at, square.x,  square.xx,
-          root.at,   root.x};
+  CrossLine line;
+  line.d0 = d.xx;
+  line.d1 = d.x;
+  line.d2 = d.at;
+  const NormalForms forms = normal_forms(job.face, job.lighting);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& u = forms.u[i];
+    Form n{Real(u[0].times(x) + u[1].times(y) + u[2], 0), Real(u[0], 0), Real(u[1], 0), {}, {}, {}};
+    hold_linear_on_all_lines(n, pencil);
+    const bool reversed = job.face.light_sign < 0;
+    line.normal[i] = reversed ? -n.at : n.at;
+    line.normal_step[i] = reversed ? -n.x : n.x;
+    line.normal_root[i] = Real(reversed ? -forms.v[i] : forms.v[i], 0);
+  }
+  return line;
 }
 
 // The part of the line that the face, which is at 0, has as far as its limbs; or, where they lie `far` off or there are none, from
@@ -391,15 +369,13 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
   const std::int32_t face_x = x - job.face.origin_x;
   const std::int32_t face_y = y - job.face.origin_y;
   const Pencil pencil = is_parallel(outline) ? parallels(outline) : through_centre(outline, face_x, face_y);
-  const CrossLine line = cross_line(outline, job.face.surface, pencil, face_x, face_y);
+  const CrossLine line = cross_line(job, outline, pencil, face_x, face_y);
   ArcEnd a;
   ArcEnd b;
   if (!ends_of_face(line, beyond, a, b)) return false;
   if (!aim(pencil, x, a, b, out)) return false;
-  std::int64_t l2 = 0;
-  for (const std::int32_t l : job.lighting.light) l2 += static_cast<std::int64_t>(l) * l;
   CrossArc arc;
-  if (!arc.make(line, a, b, l2)) return false;
+  if (!arc.make(line, a, b, job.lighting)) return false;
   Survey survey(job, arc);
   if (!survey.run()) return false;
   out.line = y;
