@@ -8,6 +8,7 @@ namespace {
 
 constexpr int form_bits = 60;
 constexpr int weight_bits = 30;
+constexpr int most_weight_bits = 10;  // with 24 of a place, and a quarter of one, 62
 constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
 
 // floor(a t 2^-32)
@@ -121,7 +122,7 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
   std::array<std::int64_t, 2> weights{};
   const std::array<Real, 2> both{weight_a + weight_a, weight_a + weight_a + weight_b + weight_b};
-  if (bits_of(both) > 6 || put(weights, both, weight_bits) > 4) return false;
+  if (bits_of(both) > most_weight_bits || put(weights, both, weight_bits) > 4) return false;
   weight_a_ = weights[0];
   weight_ = weights[1];
   // Products are rounded by less than 1 a power, t^2 and the squares by 8 in all; |L| < 1 and t^2 <= 1.
@@ -140,15 +141,16 @@ ArcLight CrossArc::at(std::uint32_t tau) const {
   return at;
 }
 
-// (tau^2 + 2 kappa sA sigma tau) / (1 - (2 - 2 kappa (sA + sB)) sigma tau): two numbers off by less than 3 and 4 units of 2^-30, the
-// latter at least 1/2.
+// (tau^2 + 2 kappa sA sigma tau) / (1 - (2 - 2 kappa (sA + sB)) sigma tau): two numbers off by less than 4 units of 2^-30 each, the latter
+// at least 1/2.
 std::int32_t CrossArc::place(std::uint32_t tau) const {
-  const std::uint32_t mixed = static_cast<std::uint32_t>(std::uint64_t{tau} * -tau >> 32);
-  const auto squared = static_cast<std::int64_t>(std::uint64_t{tau} * tau >> (64 - weight_bits));
-  const std::int64_t from_a = squared + product(weight_a_, mixed);
-  const std::int64_t whole =
-      (std::int64_t{1} << weight_bits) - product((std::int64_t{2} << weight_bits) - weight_, mixed);
-  return static_cast<std::int32_t>((static_cast<std::uint64_t>(from_a) << 24) / static_cast<std::uint64_t>(whole));
+  const std::uint64_t mixed = std::uint64_t{tau} * -tau;
+  const std::uint64_t squared = std::uint64_t{tau} * tau >> (64 - weight_bits);
+  const std::uint64_t from_a = squared + high_product(static_cast<std::uint64_t>(weight_a_), mixed);
+  constexpr std::int64_t one = std::int64_t{1} << weight_bits;
+  const std::int64_t beyond = weight_ - 2 * one;
+  const auto more = static_cast<std::int64_t>(high_product(magnitude(beyond), mixed));
+  return static_cast<std::int32_t>((from_a << 24) / static_cast<std::uint64_t>(beyond < 0 ? one - more : one + more));
 }
 
 int CrossArc::rise(std::uint32_t tau) const {

@@ -13,7 +13,9 @@
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, blossoms, variation diminution.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "firmware/core/real.hpp"
@@ -48,6 +50,10 @@ class CrossArc {
   [[nodiscard]] std::int32_t place(std::uint32_t tau) const;
   // Of the intensity's slope; 0 where it is not certain.
   [[nodiscard]] int rise(std::uint32_t tau) const;
+  // Places change by less than 2^(3 + steepness_bits) of tau.
+  [[nodiscard]] int steepness_bits() const {
+    return std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(weight_))) - 31);
+  }
   // What L^2 - t^2 |N|^2 must exceed.
   [[nodiscard]] std::int64_t unsure() const { return unsure_; }
   // An upper bound of how often the intensity turns from a to b; `many` where it cannot be told.

@@ -180,18 +180,22 @@ class Survey {
     const Lighting& g = job.lighting;
     per_threshold_ = Real(1) / Real(static_cast<std::int64_t>(job.table.levels - 1) * g.parallel);
     const int root_bits = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(arc.unsure()))) + 1) / 2;
+    narrow_ = 1U << std::clamp(7 - arc.steepness_bits(), 1, 7);
     rim_ = 1U << std::max(8, root_bits + 5);
   }
 
   bool run() {
+    std::uint32_t first = beside_end;
+    while (arc_.place(first) > 2) first /= 2;
+    while (arc_.place(last_) < (1 << 24) - 3) last_ += (0U - last_) / 2;
     if (!settle_level(first)) return false;
     add(first);
-    for (int parts = 0; at_ < last; ++parts) {
+    for (int parts = 0; at_ < last_; ++parts) {
       if (parts == most_parts) return false;
       const Stretch next = next_stretch();
       if (!(next.monotone ? climb(next.end) : step_over(next.end))) return false;
     }
-    add(last);
+    add(last_);
     return count_ <= block_.size();
   }
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -199,10 +203,8 @@ class Survey {
   [[nodiscard]] std::int32_t entry_width() const { return widest_ + 3; }
 
  private:
-  // Beside a limb p is 2^-24 there.
-  static constexpr std::uint32_t first = 1U << 20;
-  static constexpr std::uint32_t last = 0U - first;
-  static constexpr std::uint32_t narrow = 1U << 7;  // half of the interval in which a change is left, as a rule
+  // From an end, at most: beside a limb p is 2^-24 there.
+  static constexpr std::uint32_t beside_end = 1U << 20;
   static constexpr std::uint32_t near_root = 1U << 19;
   static constexpr int most_parts = 40;
   static constexpr int most_tries = 60;
@@ -213,7 +215,7 @@ class Survey {
     bool monotone;  // the intensity rises, or falls, from at_ on; else it is not proven to
   };
   [[nodiscard]] Stretch next_stretch() const {
-    std::uint32_t end = last;
+    std::uint32_t end = last_;
     while (end - at_ > 2 * rim_) {
       const int turns = arc_.turns(at_, end);
       if (turns == 0) return {end, true};
@@ -313,7 +315,7 @@ class Survey {
     before_ = at_;
     at_ = end;
     std::uint32_t x = before_;
-    std::uint32_t half = narrow;
+    std::uint32_t half = narrow_;
     ArcLight light = light_;
     for (int tries = 0; tries < most_tries; ++tries) {
       const std::int64_t excess = next.excess(light);
@@ -350,7 +352,9 @@ class Survey {
   const CrossArc& arc_;
   std::span<std::uint32_t> block_;
   Real per_threshold_;
-  std::uint32_t at_ = first, before_ = first;
+  std::uint32_t at_ = 0, before_ = 0;
+  std::uint32_t last_ = 0U - beside_end;
+  std::uint32_t narrow_;  // half of the interval in which a change is left, as a rule
   ArcLight light_{};
   std::uint32_t rim_;  // beside a ridge: a level that only touches it is sure not to be reached so far off
   std::int32_t level_ = -1, widest_ = 2;
