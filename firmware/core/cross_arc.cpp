@@ -122,7 +122,10 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
   std::array<std::int64_t, 2> weights{};
   const std::array<Real, 2> both{weight_a + weight_a, weight_a + weight_a + weight_b + weight_b};
-  if (bits_of(both) > most_weight_bits || put(weights, both, weight_bits) > 4) return false;
+  // A place's divisor is at least weight_ sigma tau, and 1/2.
+  const int steepness = bits_of(both);
+  if (steepness > most_weight_bits) return false;
+  if (put(weights, both, weight_bits) > std::int64_t{4} << std::max(0, steepness)) return false;
   weight_a_ = weights[0];
   weight_ = weights[1];
   // Products are rounded by less than 1 a power, t^2 and the squares by 8 in all; |L| < 1 and t^2 <= 1.
@@ -141,8 +144,7 @@ ArcLight CrossArc::at(std::uint32_t tau) const {
   return at;
 }
 
-// (tau^2 + 2 kappa sA sigma tau) / (1 - (2 - 2 kappa (sA + sB)) sigma tau): two numbers off by less than 4 units of 2^-30 each, the latter
-// at least 1/2.
+// (tau^2 + 2 kappa sA sigma tau) / (1 - (2 - 2 kappa (sA + sB)) sigma tau): two numbers off by less than 4 parts of the latter in 2^30.
 std::int32_t CrossArc::place(std::uint32_t tau) const {
   const std::uint64_t mixed = std::uint64_t{tau} * -tau;
   const std::uint64_t squared = std::uint64_t{tau} * tau >> (64 - weight_bits);
