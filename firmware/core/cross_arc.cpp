@@ -8,7 +8,7 @@ namespace {
 
 constexpr int form_bits = 60;
 constexpr int weight_bits = 30;
-constexpr int most_weight_bits = 10;  // with 24 of a place, and a quarter of one, 62
+constexpr int most_weight_bits = 10;                        // with 24 of a place, and a quarter of one, 62
 constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
 
 // floor(a t 2^-32)

@@ -63,11 +63,11 @@ class CrossArc {
  private:
   [[nodiscard]] std::int64_t blossom(std::uint32_t a, std::uint32_t b, int of_b) const;
 
-  std::array<std::int64_t, 3> light_{};            // powers of tau
+  std::array<std::int64_t, 3> light_{};             // powers of tau
   std::array<std::int64_t, 5> square_{}, slope_{};  // the latter w
   std::array<std::int64_t, 5> slope_points_{};      // w in Bernstein form
   std::int64_t unsure_ = 0, slope_error_ = 0;
-  std::int64_t weight_a_ = 0, weight_ = 0;          // 2 kappa sA, 2 kappa (sA + sB): 2^-30
+  std::int64_t weight_a_ = 0, weight_ = 0;  // 2 kappa sA, 2 kappa (sA + sB): 2^-30
 };
 
 // L^2 - t^2 |N|^2 with L's sign, and Newton's step towards its zero.

@@ -55,7 +55,8 @@ Pencil through_centre(const Outline& outline, std::int32_t x, std::int32_t y) {
 
 // To within what a cone, whose apex lies so far off, has in common with a cylinder.
 bool is_parallel(const Outline& outline) {
-  return outline.spread().bit_length() <= outline.product(1, 1).bit_length() - 24 || outline.spread().bit_length() <= outline.product(0, 2).bit_length() - 24;
+  return outline.spread().bit_length() <= outline.product(1, 1).bit_length() - 24 ||
+         outline.spread().bit_length() <= outline.product(0, 2).bit_length() - 24;
 }
 
 // Of the lines that a survey is to hold for. Where a cone grows much over them, a power of their number over the growth is as small as if
@@ -175,8 +176,7 @@ bool aim(const Pencil& pencil, std::int32_t x, const ArcEnd& a, const ArcEnd& b,
 
 class Survey {
  public:
-  Survey(const ShadeJob& job, const CrossArc& arc)
-      : job_(job), arc_(arc), block_(job.contours->block) {
+  Survey(const ShadeJob& job, const CrossArc& arc) : job_(job), arc_(arc), block_(job.contours->block) {
     const Lighting& g = job.lighting;
     per_threshold_ = Real(1) / Real(static_cast<std::int64_t>(job.table.levels - 1) * g.parallel);
     const int root_bits = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(arc.unsure()))) + 1) / 2;
@@ -241,9 +241,9 @@ class Survey {
 
   [[nodiscard]] LevelBar bar(std::int32_t k) const {
     const Lighting& g = job_.lighting;
-    const Real t = Real(static_cast<std::int64_t>(k) * g.unit -
-                        static_cast<std::int64_t>(job_.table.levels - 1) * g.ambient) *
-                   per_threshold_;
+    const Real t =
+        Real(static_cast<std::int64_t>(k) * g.unit - static_cast<std::int64_t>(job_.table.levels - 1) * g.ambient) *
+        per_threshold_;
     const auto fraction = static_cast<std::uint64_t>(t.fixed(60)) << 2;
     return {static_cast<std::int64_t>(high_product(fraction, fraction))};
   }
@@ -294,11 +294,12 @@ class Survey {
     const int rise = arc_.rise(at_ + (end - at_) / 2);
     if (rise == 0) return false;
     const bool up = rise > 0;
+    const ArcLight light_at_end = arc_.at(end);
     for (;;) {
       const std::int32_t k = up ? level_ + 1 : level_;
       if (k > job_.table.top_level || k <= job_.table.ambient_level) break;
       const LevelBar next = bar(k);
-      const int beyond = sign_of(next.excess(arc_.at(end)));
+      const int beyond = sign_of(next.excess(light_at_end));
       if (beyond == 0) return false;
       if ((beyond > 0) != up) break;
       if (!cross(next, rise, end)) return false;
@@ -306,7 +307,7 @@ class Survey {
       add_place(arc_.place(before_));
     }
     at_ = end;
-    light_ = arc_.at(end);
+    light_ = light_at_end;
     return true;
   }
   // From at_, where `next` is not crossed, to just beyond the crossing; before_ is just before it. Newton's steps, each beyond the root
@@ -392,7 +393,8 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
 // What it is above 0 for, such as a cylinder written in decimals, cross_line() makes an error.
 bool has_straight_contours(const ShadeJob& job) {
   const Outline d(job.face);
-  const Product terms[5] = {d.product(0, 2, 5) << 2, d.product(1, 3, 4), -d.product(0, 4, 4), -d.product(2, 3, 3), -d.product(5, 1, 1)};
+  const Product terms[5] = {d.product(0, 2, 5) << 2, d.product(1, 3, 4), -d.product(0, 4, 4), -d.product(2, 3, 3),
+                            -d.product(5, 1, 1)};
   Product sum;
   int most = 0;
   for (const Product& term : terms) {
