@@ -14,7 +14,7 @@ ContourKind kind_of(const ShadeJob& job) {
 
 // Costs on a Cortex-M3, in hundreds of instructions (docs/contours.md): a span of n dots with r runs takes
 //   110 + 3.3 n + 0.9 r  dot by dot,  120 + 5.1 r  by general contours;
-// those of a sphere, or traced straight ones, cost a seventh of that a run. The last span tells r / n; before there is one, each level once.
+// those of a sphere, or straight ones, cost a seventh of that a run. The last span tells r / n; before there is one, each level once.
 bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);

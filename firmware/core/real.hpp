@@ -36,11 +36,17 @@ class Real {
   constexpr Real(const Wide<Bits>& value, int exponent, std::int64_t error = 0) {
     const int shift = std::max(0, value.bit_length() - 61);
     const std::int64_t lost = shift > 0 ? 1 : 0;
-    *this = normalised(scaled(value, shift), shifted_up(error, shift) + lost, exponent + shift);
+    *this = normalised(scaled(value, shift), (error >> shift) + 2 * lost, exponent + shift);
   }
 
   // The sign where it is certain, else 0.
   [[nodiscard]] constexpr int sign() const { return m_ > error_ ? 1 : (m_ < -error_ ? -1 : 0); }
+  // Exactly: it has no exponent to align to.
+  [[nodiscard]] constexpr bool is_zero() const { return m_ == 0 && error_ == 0; }
+  // Widened by as much as `other` can be, times 2^bits.
+  [[nodiscard]] constexpr Real blurred(const Real& other, int bits) const {
+    return other.is_zero() ? *this : *this + normalised(0, 1, other.bits() + bits);
+  }
   [[nodiscard]] constexpr Real half() const { return Real(m_, error_, e_ - 1); }
   constexpr Real operator-() const { return Real(-m_, error_, e_); }
 
@@ -111,8 +117,6 @@ class Real {
 
  private:
   constexpr Real(std::int64_t m, std::int64_t error, int e) : m_(m), error_(error), e_(e) {}
-  // Exactly: it has no exponent to align to.
-  [[nodiscard]] constexpr bool is_zero() const { return m_ == 0 && error_ == 0; }
   static constexpr Real unknown() { return Real(0, most_error, 1 << 20); }
   static constexpr std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
   static constexpr std::int64_t shifted_up(std::int64_t error, int shift) {
@@ -125,7 +129,7 @@ class Real {
     if (m == 0 && error == 0) return {};
     const int down = std::max({0, m_bits - 62, error_bits - 31});
     if (down > 0) return Real(m >> down, (error >> down) + 2, e + down);
-    const int up = error == 0 ? 62 - m_bits : std::min(62 - m_bits, std::max(0, 20 - error_bits));
+    const int up = error == 0 ? 62 - m_bits : std::min(62 - m_bits, std::max(0, 31 - error_bits));
     return Real(m * (std::int64_t{1} << up), error << up, e - up);
   }
   static constexpr std::int64_t most_error = std::int64_t{1} << 31;

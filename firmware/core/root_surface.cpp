@@ -41,6 +41,11 @@ Wide<128> shifted(const auto& value, int shift) { return Wide<128>(shift >= 0 ? 
 template <int Bits>
 class Maker {
  public:
+  struct Component {
+    std::array<Wide<Bits>, 3> u{};
+    Wide<Bits> v;
+  };
+
   explicit Maker(const ActiveFace& face) : f_(face) {}
 
   void make_discriminant(ScaledQuadratic& out) const {
@@ -77,15 +82,22 @@ class Maker {
     scale_to(s.square_root, square_root, square_exponent, square_exponent - half);
   }
 
+  [[nodiscard]] Component normal(const std::array<Wide<128>, 4>& row) const {
+    Component n;
+    for (int j = 0; j < 4; ++j) {
+      const Int m(row[j]);
+      if (m.is_zero()) continue;
+      const Component g = gradient(j);
+      for (int k = 0; k < 3; ++k) n.u[k] += m * g.u[k];
+      n.v += m * g.v;
+    }
+    return n;
+  }
+
  private:
   using Int = Wide<Bits>;
   using ExactQuadratic = std::array<Int, 6>;
   using ExactLinear = std::array<Int, 3>;
-  struct Component {
-    ExactLinear u{};
-    Int v;
-  };
-
   // Bits that a form's value can have, its degree-2, degree-1 and constant terms in the order of ScaledQuadratic.
   static int bits(const ExactQuadratic& q) {
     constexpr int degree[6] = {2, 2, 2, 1, 1, 0};
@@ -127,18 +139,6 @@ class Maker {
     return g;
   }
 
-  [[nodiscard]] Component normal(const std::array<Wide<128>, 4>& row) const {
-    Component n;
-    for (int j = 0; j < 4; ++j) {
-      const Int m(row[j]);
-      if (m.is_zero()) continue;
-      const Component g = gradient(j);
-      for (int k = 0; k < 3; ++k) n.u[k] += m * g.u[k];
-      n.v += m * g.v;
-    }
-    return n;
-  }
-
   [[nodiscard]] ExactQuadratic discriminant() const {
     const Int a(f_.c[2]);
     const ExactLinear b{Int(f_.c[5]), Int(f_.c[4]), Int(f_.c[8])};
@@ -163,6 +163,18 @@ void make_discriminant(ActiveFace& face) {
   } else {
     Maker<256>(face).make_discriminant(face.surface.discriminant);
   }
+}
+
+NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting) {
+  const NormalMatrix matrix = normal_matrix(face, lighting);
+  const Maker<256> maker(face);
+  NormalForms forms;
+  for (int i = 0; i < 3; ++i) {
+    const auto component = maker.normal(matrix[i]);
+    forms.u[i] = component.u;
+    forms.v[i] = component.v;
+  }
+  return forms;
 }
 
 void make_root_surface(ActiveFace& face, const Lighting& lighting) {

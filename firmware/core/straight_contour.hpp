@@ -1,32 +1,35 @@
 // straight_contour.hpp - contours of cylinders and cones: rulings, straight lines through one point of the page (the apex's image,
-// or a direction). One line of the face is traced dot by dot; from then on every line has the same crossings, moved and scaled alike:
-//   x(y) = x0 + slope (y - y0) + b (1 + spread (y - y0))
-// for the crossing b dots right of the first traced dot x0 of line y0. spread is 0 where the rulings are parallel, else
-// 1 / (y0 - apex y), and lines farther than half, or more than twice as far from the apex, are traced anew.
-// A crossing is known to lie in an interval: at first between two dots. Where a dot of some line falls into it the dot is asked,
-// and the interval shrinks: after n lines it is about 1/n dot, so that n lines ask some ln n dots a crossing.
-// Entry    32 bits: the interval's left end b (24), its width as (4 + w1) 2^w2 (2 + 4), and how the level changes (2).
-// Units    "parts" 2^-part_bits dot, such that a traced line fits 24 bits.
-// Exact    Between two neighbouring dots of the traced line the intensity is proven monotone (ridge_form.hpp), or they bound a zone,
-//          whose dots are all asked.
+// or a direction). Where levels change across the rulings is found once for all lines (cross_arc.hpp, ruling_survey.cpp), as
+// fractions p of the way from one ruling A of the face to another, B; on line y the change is at
+//   x = xA(y) + p (xB(y) - xA(y)),    xA and xB linear in y.
+// A is the face's limb, or a ruling as far left of the span as the next lines will need; so is B on the right. A face need not be
+// ruled exactly: how far it is from that is part of the error of p.
+// Entry    32 bits: p, rounded down (24), and the level right of it (8), in ascending order. The change lies within entry_width
+//          units of p. Where the level is sure to be the same on both sides but not between, as at a ridge, it is told twice.
+// Units    lines 2^-34 dot; p 2^-24, so that on 1000 dots a dot is asked for its level once in some 1,500 changes.
 // Source   Ours; margins in docs/contours.md.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace halfspace {
 
 struct StraightContours {
-  std::int64_t slope = 0;            // 2^-32
-  std::int64_t spread = 0;           // 2^-46
-  std::int32_t line = 0, first = 0;  // the traced line, and its first dot: page
-  std::int32_t length = 0;           // its dots less one; 0: none traced yet
-  std::int32_t level = 0;            // at its first dot
-  std::int32_t entries = 0;          // at the start of the face's block
-  std::uint32_t waited = 0;          // dots shaded otherwise since the last trace
-  std::uint8_t part_bits = 0;
+  std::int64_t left = 0, left_slope = 0;    // xA of `line`, on the page, and its change from line to line
+  std::int64_t width = 0, width_slope = 0;  // xB - xA
+  std::int32_t line = 0;
+  std::int32_t entries = 0;  // at the start of the face's block; none: not known
+  std::int32_t entry_width = 0;
+  std::uint32_t waited = 0;  // dots shaded otherwise since the last survey
+  std::uint16_t failures = 0;
+  bool tried = false;
 };
+
+inline constexpr int line_bits = 34;
+inline constexpr int entry_level_bits = 8;
+// Lines from the surveyed one, up or down, that a survey holds for; and towards the apex three quarters of the way.
+inline constexpr std::int32_t survey_lines = 512;
 
 // Words of entries that a face can have; with more its contours are found otherwise.
 constexpr std::size_t straight_block_words(std::int32_t levels) { return 2 * static_cast<std::size_t>(levels) + 16; }

@@ -1,0 +1,213 @@
+#include "firmware/core/cross_arc.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace halfspace {
+namespace {
+
+constexpr int form_bits = 60;
+constexpr int weight_bits = 30;
+constexpr int most_weight_bits = 10;                        // with 24 of a place, and a quarter of one, 62
+constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
+
+// floor(a t 2^-32)
+std::int64_t product(std::int64_t a, std::uint32_t t) {
+  return (a >> 32) * t + static_cast<std::int64_t>((static_cast<std::uint64_t>(a) & 0xffffffffU) * t >> 32);
+}
+// a b 2^-60 for 0 <= a, b <= 2^60.
+std::int64_t product(std::uint64_t a, std::uint64_t b) {
+  return static_cast<std::int64_t>(high_product(a << 2, b << 2));
+}
+std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
+
+template <std::size_t N>
+std::int64_t value_of(const std::array<std::int64_t, N>& c, std::uint32_t tau) {
+  std::int64_t value = c[N - 1];
+  for (std::size_t i = N - 1; i-- > 0;) value = product(value, tau) + c[i];
+  return value;
+}
+template <std::size_t N>
+void value_and_slope(const std::array<std::int64_t, N>& c, std::uint32_t tau, std::int64_t& value,
+                     std::int64_t& slope) {
+  value = c[N - 1];
+  slope = 0;
+  for (std::size_t i = N - 1; i-- > 0;) {
+    slope = product(slope, tau) + value;
+    value = product(value, tau) + c[i];
+  }
+}
+
+Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Powers of tau from the coefficients of sigma^i tau^j, binomials taken in.
+std::array<Real, 3> powers(const Real& a, const Real& b, const Real& c) { return {a, b - (a + a), a - b + c}; }
+std::array<Real, 5> powers(const Real& a, const Real& b, const Real& c, const Real& d, const Real& e) {
+  const Real three(3);
+  const Real four(4);
+  return {a, b - four * a, Real(6) * a - three * b + c, three * b - four * a - (c + c) + d, a - b + c - d + e};
+}
+
+// The least b such that all are below 2^b.
+template <std::size_t N>
+int bits_of(const std::array<Real, N>& values) {
+  int bits = -1000;
+  for (const Real& v : values) bits = std::max(bits, v.bits());
+  return bits;
+}
+
+// Returns the sum of the errors.
+template <std::size_t N>
+std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& values, int bits) {
+  std::int64_t error = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    out[i] = values[i].fixed(bits);
+    error += std::min(values[i].error_of(bits), most_error);
+  }
+  return error;
+}
+
+}  // namespace
+
+bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting) {
+  const Real ss = a.s * b.s;
+  const Real polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
+  // polar + ss and polar - ss: one of them without cancellation, the other by their product polar^2 - ss^2.
+  const Real width = b.x - a.x;
+  const Real product = (line.d1.half() * line.d1.half() - line.d0 * line.d2) * width * width;
+  const bool is_convex = polar.sign() < 0;
+  const Real sure = is_convex ? polar - ss : polar + ss;
+  const Real other = product / sure;
+  const Real& whole = is_convex ? other : sure;
+  const Real& rest = is_convex ? sure : other;
+  if (whole.sign() <= 0) return false;
+  const Real kappa = Real(1) / (whole + whole).root();
+  const Real weight_a = kappa * a.s;
+  const Real weight_b = kappa * b.s;
+  const Real lift = kappa * rest;  // kappa T = weight_b A + weight_a B + lift along s
+
+  RealVector na;
+  RealVector nb;
+  RealVector nt;
+  RealVector towards;  // the light: of length 1
+  std::int64_t light_squared = 0;
+  for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
+  const Real length = Real(light_squared).root();
+  for (std::size_t i = 0; i < 3; ++i) {
+    na[i] = line.normal[i] + line.normal_step[i] * a.x + line.normal_root[i] * a.s;
+    nb[i] = line.normal[i] + line.normal_step[i] * b.x + line.normal_root[i] * b.s;
+    nt[i] = weight_b * na[i] + weight_a * nb[i] + lift * line.normal_root[i];
+    towards[i] = Real(lighting.light[i]) / length;
+  }
+  const Real l0 = dot(towards, na);
+  const Real l1 = dot(towards, nt);
+  const Real l2 = dot(towards, nb);
+  const Real n0 = dot(na, na);
+  const Real n1 = dot(na, nt);
+  const Real pole = dot(nt, nt);
+  const Real n2 = dot(na, nb) + pole + pole;  // three times Bernstein's
+  const Real n3 = dot(nt, nb);
+  const Real n4 = dot(nb, nb);
+
+  const std::array<Real, 3> light = powers(l0, l1 + l1, l2);
+  const std::array<Real, 5> square = powers(n0, Real(4) * n1, n2 + n2, Real(4) * n3, n4);
+  // Sums of three and of five stay below 1.
+  const int scale = std::max((bits_of(square) + 4) >> 1, bits_of(light) + 2);
+  const std::array<Real, 5> slope{l1 * n0 - l0 * n1, l1 * n1 * Real(2) + l2 * n0 - l0 * n2,
+                                  Real(3) * (l2 * n1 - l0 * n3), l2 * n2 - l1 * n3 * Real(2) - l0 * n4,
+                                  l2 * n3 - l1 * n4};
+  const std::array<Real, 5> slope_powers = powers(slope[0], slope[1], slope[2], slope[3], slope[4]);
+  const int slope_bits = form_bits - 3 - std::max(bits_of(slope), bits_of(slope_powers));
+  const Real quarter = Real(1).half().half();
+  const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
+  std::array<std::int64_t, 2> weights{};
+  const std::array<Real, 2> both{weight_a + weight_a, weight_a + weight_a + weight_b + weight_b};
+  // A place's divisor is at least weight_ sigma tau, and 1/2.
+  const int steepness = bits_of(both);
+  if (steepness > most_weight_bits) return false;
+  if (put(weights, both, weight_bits) > std::int64_t{4} << std::max(0, steepness)) return false;
+  weight_a_ = weights[0];
+  weight_ = weights[1];
+  // Products are rounded by less than 1 a power, t^2 and the squares by 8 in all; |L| < 1 and t^2 <= 1.
+  const std::int64_t light_error = put(light_, light, form_bits - scale) + 2;
+  const std::int64_t square_error = put(square_, square, form_bits - 2 * scale) + 4;
+  unsure_ = 3 * light_error + square_error + 8;
+  slope_error_ = std::max(put(slope_, slope_powers, slope_bits), put(slope_points_, points, slope_bits)) + 8;
+  return std::max(unsure_, slope_error_) < most_error;
+}
+
+ArcLight CrossArc::at(std::uint32_t tau) const {
+  ArcLight at{};
+  value_and_slope(light_, tau, at.light, at.light_slope);
+  value_and_slope(square_, tau, at.square, at.square_slope);
+  at.square = std::max<std::int64_t>(at.square, 0);
+  return at;
+}
+
+// (tau^2 + 2 kappa sA sigma tau) / (1 - (2 - 2 kappa (sA + sB)) sigma tau): two numbers off by less than 4 parts of the latter in 2^30.
+std::int32_t CrossArc::place(std::uint32_t tau) const {
+  const std::uint64_t mixed = std::uint64_t{tau} * -tau;
+  const std::uint64_t squared = std::uint64_t{tau} * tau >> (64 - weight_bits);
+  const std::uint64_t from_a = squared + high_product(static_cast<std::uint64_t>(weight_a_), mixed);
+  constexpr std::int64_t one = std::int64_t{1} << weight_bits;
+  const std::int64_t beyond = weight_ - 2 * one;
+  const auto more = static_cast<std::int64_t>(high_product(magnitude(beyond), mixed));
+  return static_cast<std::int32_t>((from_a << 24) / static_cast<std::uint64_t>(beyond < 0 ? one - more : one + more));
+}
+
+int CrossArc::rise(std::uint32_t tau) const {
+  const std::int64_t w = value_of(slope_, tau);
+  return w > slope_error_ ? 1 : (w < -slope_error_ ? -1 : 0);
+}
+
+// w as a form in four points, `of_b` of them b and the others a: a coefficient of w on the interval from a to b.
+std::int64_t CrossArc::blossom(std::uint32_t a, std::uint32_t b, int of_b) const {
+  std::array<std::int64_t, 5> c = slope_points_;
+  for (int n = 4; n > 0; --n) {
+    const std::uint32_t at = n <= of_b ? b : a;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) c[i] += product(c[i + 1] - c[i], at);
+  }
+  return c[0];
+}
+
+int CrossArc::turns(std::uint32_t a, std::uint32_t b) const {
+  int turns = 0;
+  int last = 0;
+  for (int i = 0; i <= 4; ++i) {
+    const std::int64_t w = blossom(a, b, i);
+    if (w <= slope_error_ && w >= -slope_error_) return many;
+    const int sign = w < 0 ? -1 : 1;
+    turns += sign == -last ? 1 : 0;
+    last = sign;
+  }
+  return turns;
+}
+
+std::int64_t LevelBar::excess(const ArcLight& at) const {
+  const std::int64_t l2 = product(magnitude(at.light), magnitude(at.light));
+  return (at.light < 0 ? -l2 : l2) - product(static_cast<std::uint64_t>(square), static_cast<std::uint64_t>(at.square));
+}
+
+std::int64_t LevelBar::slope(const ArcLight& at) const {
+  const std::int64_t l = at.light < 0 ? -at.light : at.light;
+  return 2 * ((l >> 31) * (at.light_slope >> 31)) - (square >> 31) * (at.square_slope >> 31);
+}
+
+// -excess / slope in units of tau, to some 15 bits; 2^32 where it would be more.
+std::int64_t LevelBar::step(const ArcLight& at, std::int64_t excess) const {
+  constexpr std::int64_t far = std::int64_t{1} << 32;
+  const std::uint64_t n = magnitude(excess);
+  const std::int64_t slope = this->slope(at);
+  const std::uint64_t d = magnitude(slope);
+  if (n >> 2 >= d) return far;
+  // n / 4 d with the divisor cut to 16 bits and the dividend to 32.
+  const int cut_d = std::max(0, static_cast<int>(std::bit_width(d)) - 16);
+  const int cut_n = static_cast<int>(std::bit_width(n)) - 32;
+  const auto dividend = static_cast<std::uint32_t>(cut_n >= 0 ? n >> cut_n : n << -cut_n);
+  const std::int64_t quotient = dividend / static_cast<std::uint32_t>(d >> cut_d);
+  const int shift = 30 + cut_n - cut_d;
+  const std::int64_t step = shift >= 0 ? quotient << std::min(shift, 31) : quotient >> std::min(-shift, 63);
+  return (excess < 0) == (slope < 0) ? -step : step;
+}
+
+}  // namespace halfspace
