@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
 constexpr std::int32_t first_chord = 8;   // dots
-constexpr std::int32_t coarse = 1 << 13;  // errors of places, 2^-16 dot: from here on a chord is cut,
-constexpr std::int32_t fine = 1 << 10;    // up to here the next may be longer
+// Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
+constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
 // Bars of levels, T_k: they go up evenly. 32 bits of fraction.
 struct Bars {
@@ -100,9 +100,10 @@ class SpanTracer {
   };
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
-  void monotone(LevelDot a, const LevelDot& b, int step);
-  std::int32_t boundary(std::int32_t k, int step, std::int32_t before, std::int32_t from,
-                        const LevelPlace& place) const;
+  void monotone(LevelDot a, const LevelDot& b, bool rising);
+  [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const;
+  [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
+                                                           std::int32_t from) const;
 
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
@@ -154,36 +155,35 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
 void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
   const Stop left = first.t == a.dot.t ? a : stop_at(first.t);
-  monotone(a.dot, left.dot, a.ridge.sign());
+  monotone(a.dot, left.dot, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
-  monotone(dot_by_dot(left, last.t).dot, b.dot, b.ridge.sign());
+  monotone(dot_by_dot(left, last.t).dot, b.dot, b.ridge.sign() > 0);
 }
 
-// The first dot between `before`, which is on this side of level k, and `from`, which is beyond.
-std::int32_t SpanTracer::boundary(std::int32_t k, int step, std::int32_t before, std::int32_t from,
-                                  const LevelPlace& place) const {
-  if (place.known) {
-    const std::int32_t at = (before << 16) + place.at;
-    from = std::min(from, ((at + place.error) >> 16) + 1);
-    before = std::max(before, (at - place.error) >> 16);
-  }
+// The first dot beyond level k between `before`, which is not, and `from`, which is.
+inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
+  return from - before == 1 ? from : asked_boundary(k, rising, before, from);
+}
+
+std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
-    (reaches(level_dot(middle), k) == (step > 0) ? from : before) = middle;
+    (reaches(level_dot(middle), k) == rising ? from : before) = middle;
   }
   return from;
 }
 
-// From a to b, where levels only rise (step 1) or fall (-1).
-void SpanTracer::monotone(LevelDot a, const LevelDot& b, int step) {
-  const bool rising = step > 0;
+// From a to b, where levels only rise or fall.
+void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   const std::int32_t end = rising ? job_.table.top_level + 1 : job_.table.ambient_level;
+  const std::int32_t step = rising ? 1 : -1;
+  const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
+  std::uint32_t bar = bars_.of(k);
   const auto is_beyond = [&](const LevelDot& dot, std::int32_t above) {
     return k != end && reaches(dot, k, above) == rising;
   };
-  std::uint32_t bar = bars_.of(k);
   while (is_beyond(b, b.above(bar))) {
     const std::int32_t rest = b.t - a.t;
     const std::int32_t width = rest <= chord_ + chord_ / 2 ? rest : chord_;
@@ -196,21 +196,26 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, int step) {
     }
     const LevelChord chord(line_, a, c);
     LevelPlace place = chord.place(bar, a.above(bar), above);
-    if (width > 2 && (!place.known || place.error > coarse)) {
+    if (width > 2 && place.error > coarse) {
       chord_ = width / 2;
       continue;
     }
-    if (place.error <= fine) chord_ = std::min(2 * width, longest_half);
+    chord_ = place.error < fine ? 2 * width : width;
     for (;;) {
-      turn(boundary(k, step, a.t, c.t, place), rising ? k : k - 1);
+      const std::int32_t from = place.error == LevelPlace::unknown
+                                    ? boundary(k, rising, a.t, c.t)
+                                    : boundary(k, rising, std::max(a.t, a.t + ((place.at - place.error) >> 16)),
+                                               std::min(c.t, a.t + ((place.at + place.error) >> 16) + 1));
+      painter_.change(line_.middle() + from, rising ? k : k - 1);
       k += step;
-      bar = bars_.of(k);
+      bar += bar_step;
       above = c.above(bar);
       if (!is_beyond(c, above)) break;
       place = chord.place(bar, a.above(bar), above);
     }
     a = c;
   }
+  job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
   level_ = rising ? k - 1 : k;
 }
 
@@ -250,7 +255,7 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
     if (course == Course::ridge) {
       ridge_between(a, b);
     } else {
-      monotone(a.dot, b.dot, a.ridge.sign());
+      monotone(a.dot, b.dot, a.ridge.sign() > 0);
     }
     a = b;
   }

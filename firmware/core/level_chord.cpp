@@ -64,7 +64,7 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
 
 // What taking the middle leaves out of F, where |ds| <= (s_a + s_b) / 5, |E| <= (s_a + s_b) / 32, and so for n and J:
 //   of u (1-u) E     |E| (|ds| + |E|) / 8 (s_a + s_b), as E's denominator is s_a + s_b + (2u-1) ds + u (1-u) E and
-//                    u (1-u) |2u-1| < 0.0963; the roots' errors, and the quotient's, are a quarter of 1.1 root_error + 7 + 2^-14 |E|
+//                    u (1-u) |2u-1| < 0.0963; the roots' errors, and the quotient's, are a quarter of 1.1 root_error + 7 + 2^-13 |E|
 //   of u (1-u) J     r times that; r's change, |dr| |E| / 16; r's errors of 16 units and the roots' in dr ds
 //   of u (1-u) J/2A  that over 2A >= 4/5 (n_a + n_b); |J/2A| (|dn| + 2 |J/2A|) / 8 (n_a + n_b), the last from the root's series;
 //                    a quarter of what dn^2 errs by, 2 (|dn| + normal_error) 2 normal_error
@@ -86,17 +86,16 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
 
-  const std::int32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + root_error / 2 + 3;
+  const std::int32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
   const auto bulge_left = static_cast<std::int64_t>(product(size(dr), size(e) / 16 + root_error / 2 + 1) +
                                                     product(size(r) + size(dr), e_left) + product(size(ds), 8));
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.light_root();
   bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 30);
-  normal_bow_ = j;
+  normal_bow_ = 2 * j;
   const std::int32_t normal_left = n.quotient(bulge_left) * 5 / 4 + n.eighth_part(size(j), size(dn) + 2 * size(j));
   error_ = std::max(a.error, b.error) + static_cast<std::int32_t>(std::int64_t{size(m)} * e_left >> 30) + normal_left +
            normal_error / 2 + (size(j) >> 10) + 16;
-  least_ = 1 << 16;
 }
 
 }  // namespace halfspace
