@@ -13,8 +13,8 @@
 namespace halfspace {
 namespace {
 
-constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
-constexpr std::int32_t first_chord = 8;   // dots
+constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
+constexpr std::int32_t first_chord = 8;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
@@ -34,7 +34,7 @@ struct Bars {
 // a step is off by less than 1, and there are at most 2^8.
 Bars::Bars(const LevelTable& table, const Lighting& lighting) : top_level(table.top_level) {
   const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(top_level)]} << 28 | 1;
-  const std::int32_t root = quick_root(square);
+  const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
   top = static_cast<std::uint32_t>(root) << 2;
   error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
   const std::int64_t height =
@@ -134,20 +134,27 @@ Stop SpanTracer::dot_by_dot(const Stop& from, std::int32_t to) {
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
 SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) const {
   const int sign = from.ridge.sign();
+  bool from_moved = false;
+  bool other_moved = false;
   for (int tries = 0;; ++tries) {
     const std::int32_t way = other.t - from.t;
     if (way == 1 || way == -1) return from;
-    // Regula falsi, an end that stays halved [Dowell, Jarratt 1971]
-    const std::int32_t fall = (from.ridge.w >> 16) - (other.ridge.w >> 16);
-    std::int32_t step = tries < 8 && fall != 0 ? way * (from.ridge.w >> 16) / fall : way / 2;
+    // Regula falsi, an end that stays twice halved [Dowell, Jarratt 1971]; |w| < 2^30, |way| < 2^11.
+    const std::int32_t fall = from.ridge.w - other.ridge.w;
+    const int shift = std::max(0, 13 - std::countl_zero(static_cast<std::uint32_t>(fall < 0 ? -fall : fall)));
+    std::int32_t step = tries < 8 && fall != 0 ? way * (from.ridge.w >> shift) / (fall >> shift) : way / 2;
     step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
     const RidgeStop next{from.t + step, ridge_at(from.t + step)};
     if (next.ridge.sign() == sign) {
       from = next;
-      other.ridge.w /= 2;
+      if (from_moved) other.ridge.w /= 2;
+      from_moved = true;
+      other_moved = false;
     } else {
       other = next;
-      from.ridge.w /= 2;
+      if (other_moved) from.ridge.w /= 2;
+      other_moved = true;
+      from_moved = false;
     }
   }
 }

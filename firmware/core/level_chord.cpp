@@ -5,10 +5,14 @@
 namespace halfspace {
 namespace {
 
-constexpr std::uint32_t shortest = 1U << 22;  // of s_a + s_b and n_a + n_b
+constexpr std::int32_t largest = std::int32_t{1} << 30;  // |L| is at most |N|
+constexpr std::uint32_t shortest = 1U << 22;             // of s_a + s_b and n_a + n_b
 
-std::int32_t size(std::int32_t v) { return v < 0 ? -v : v; }
-// Unsigned, so that a job that lies about its widths wraps and nothing worse.
+// All unsigned, so that a job that lies about its widths wraps and nothing worse.
+std::uint32_t size(std::int32_t v) { return v < 0 ? 0 - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v); }
+std::int32_t difference(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+}
 std::uint64_t product(std::int32_t a, std::int32_t b) { return static_cast<std::uint64_t>(std::int64_t{a} * b); }
 std::uint64_t second_difference(std::int64_t v2, std::int32_t h) {
   return static_cast<std::uint64_t>(v2) * static_cast<std::uint64_t>(std::int64_t{h} * h);
@@ -23,21 +27,20 @@ class Divisor {
   // Whether |v| is at most 1/32 of the sum's square, so that the quotient fits.
   [[nodiscard]] bool divides(std::int64_t v) const {
     const auto upper = static_cast<std::int32_t>(v >> 32);
-    return static_cast<std::uint32_t>(size(upper)) < high_product(sum_, sum_) >> 5;
+    return size(upper) < high_product(sum_, sum_) >> 5;
   }
   // v / sum, to 2^-14 of itself and 3.
   [[nodiscard]] std::int32_t quotient(std::int64_t v) const {
     return static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(v >> (32 - zeros_))} * inverse_ >> 16);
   }
-  // |v| <= sum / 5, and sum >= shortest.
-  [[nodiscard]] bool dwarfs(std::int32_t v) const {
-    return sum_ >= shortest && static_cast<std::uint32_t>(size(v)) <= sum_ / 5;
+  // v <= sum / times, and sum >= shortest.
+  [[nodiscard]] bool dwarfs(std::uint32_t v, std::uint32_t times) const {
+    return sum_ >= shortest && v <= sum_ / times;
   }
-  [[nodiscard]] bool holds(std::int32_t error) const { return static_cast<std::uint32_t>(error) <= sum_ >> 10; }
   // a b / 8 sum, b < sum / 2.
-  [[nodiscard]] std::int32_t eighth_part(std::int32_t a, std::int32_t b) const {
-    const std::uint32_t part = (static_cast<std::uint32_t>(b) << zeros_ >> 16) * inverse_ >> 16;  // b / sum 2^16
-    return static_cast<std::int32_t>(static_cast<std::uint64_t>(a) * part >> 19);
+  [[nodiscard]] std::uint32_t eighth_part(std::uint32_t a, std::uint32_t b) const {
+    const std::uint32_t part = (b << zeros_ >> 16) * inverse_ >> 16;  // b / sum 2^16
+    return static_cast<std::uint32_t>(std::uint64_t{a} * part >> 19);
   }
 
  private:
@@ -54,7 +57,7 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
   t = at;
   s = dot.s;
   r = dot.r;
-  l = static_cast<std::int32_t>(dot.light.l);
+  l = std::clamp(static_cast<std::int32_t>(dot.light.l), -largest, largest);
   n = quick_root(static_cast<std::uint64_t>(std::clamp<std::int64_t>(dot.light.n2, 1, (1LL << 60) - 1)));
   root_error = errors.root;
   // | |a| - |b| | <= |a^2 - b^2| / |a|
@@ -73,29 +76,31 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   const std::int32_t dn = b.n - a.n;
   const Divisor s(static_cast<std::uint32_t>(a.s) + static_cast<std::uint32_t>(b.s));
   const Divisor n(static_cast<std::uint32_t>(a.n) + static_cast<std::uint32_t>(b.n));
-  const std::int32_t root_error = std::max(a.root_error, b.root_error);
-  const std::int32_t normal_error = std::max(a.normal_error, b.normal_error);
-  if (!s.dwarfs(ds) || !n.dwarfs(dn) || !n.holds(normal_error)) return;
+  const auto root_error = static_cast<std::uint32_t>(std::max(a.root_error, b.root_error));
+  const auto normal_error = static_cast<std::uint32_t>(std::max(a.normal_error, b.normal_error));
+  if (!s.dwarfs(size(ds), 5) || !n.dwarfs(size(dn), 5) || !n.dwarfs(normal_error, 1 << 10)) return;
   const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.discriminant().v2, width_));
   if (!s.divides(bend)) return;
   const std::int32_t e = s.quotient(bend);
   const std::int32_t r = (a.r >> 1) + (b.r >> 1);
-  const std::int32_t dr = b.r - a.r;
+  const std::int32_t dr = difference(b.r, a.r);
   const auto bulge = static_cast<std::int64_t>(second_difference(line.square().v2, width_) + product(dr, ds) -
                                                product(dn, dn) - product(r, e));
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
 
-  const std::int32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
-  const auto bulge_left = static_cast<std::int64_t>(product(size(dr), size(e) / 16 + root_error / 2 + 1) +
-                                                    product(size(r) + size(dr), e_left) + product(size(ds), 8));
+  const std::uint32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
+  const auto bulge_left =
+      static_cast<std::int64_t>(std::uint64_t{size(dr)} * (size(e) / 16 + root_error / 2 + 1) +
+                                (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{size(ds)} * 8);
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.light_root();
   bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 30);
   normal_bow_ = 2 * j;
-  const std::int32_t normal_left = n.quotient(bulge_left) * 5 / 4 + n.eighth_part(size(j), size(dn) + 2 * size(j));
-  error_ = std::max(a.error, b.error) + static_cast<std::int32_t>(std::int64_t{size(m)} * e_left >> 30) + normal_left +
-           normal_error / 2 + (size(j) >> 10) + 16;
+  const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
+                                    n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
+  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
+  error_ = std::max(a.error, b.error) + static_cast<std::int32_t>(light_left + normal_left + normal_error / 2 + 16);
 }
 
 }  // namespace halfspace

@@ -48,11 +48,11 @@ class LevelChord {
   //   The smaller root of the quadratic is u = 2 u0 / (1 - kappa + q), q^2 = (1 - kappa)^2 + 4 kappa u0, and F's slope there q times
   //   that of its chord. Where F is off by P, with e = P / |F_a - F_b| q <= 1/32 the root is off by less than 5/4 e: so far from it
   //   the quadratic is worth 5/4 P (1 - 5/4 |kappa| e / q) at least, and |kappa| <= 1/2 <= q.
-  [[nodiscard]] LevelPlace place(std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
+  [[nodiscard, gnu::always_inline]] LevelPlace place(std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
     const bool falls = at_a > at_b;
     const auto from = static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? at_a : -at_a, 0));
     const std::uint32_t all = from + static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? -at_b : at_b, 0));
-    const auto most = static_cast<std::int32_t>(all >> 1);
+    const auto most = static_cast<std::int32_t>((all >> 1) - (all >> 6));
     const std::int32_t bow = bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar >> 1));
     if (all < least || bow > most || -bow > most || error_ > static_cast<std::int32_t>(all >> 5)) {
       return {0, LevelPlace::unknown};
@@ -61,24 +61,24 @@ class LevelChord {
     const auto inverse = static_cast<std::int32_t>(0x7fffffffU / (all >> shift));  // 2^31 / the leading 16 bits
     const std::uint32_t u0 = (from >> shift) * static_cast<std::uint32_t>(inverse) >> 15;
     const std::int32_t kappa = ((falls ? bow : -bow) >> shift) * inverse >> 16;
-    const std::int32_t rest = (1 << 15) - kappa;
-    const auto square = static_cast<std::uint32_t>(rest * rest) + static_cast<std::uint32_t>(kappa) * u0 * 2;
+    const auto rest = static_cast<std::uint32_t>((1 << 15) - kappa);
+    const std::uint32_t square = rest * rest + static_cast<std::uint32_t>(kappa) * u0 * 2;  // 2^28 at least
     const std::uint32_t guess = first_roots[square >> 24];
     const std::uint32_t q = (guess + square / guess) >> 1;
-    const auto u = static_cast<std::int32_t>((u0 << 15) / ((static_cast<std::uint32_t>(rest) + q) >> 1));
-    const std::uint32_t e = static_cast<std::uint32_t>((error_ >> shift) * inverse >> 15) + 1;
+    const auto u = static_cast<std::int32_t>((u0 << 15) / ((rest + q) >> 1));
+    const std::uint32_t e = static_cast<std::uint32_t>((error_ >> shift) * inverse >> 15) + 4;
     const auto left = static_cast<std::int32_t>((e * 5 << 13) / q) + rounding;
     return {width_ * u, left > 1 << 11 ? LevelPlace::unknown : width_ * left};
   }
 
  private:
   static constexpr std::uint32_t least = 1 << 17;
-  // Of u, 2^-16: 6 of u0 and 1 of kappa, by 1 / q; 12 of q and its division.
+  // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 3 of kappa, 8 of q and its sum, 1 of the quotient, 4 of e's.
   static constexpr std::int32_t rounding = 28;
 
-  std::int32_t width_;            // h
-  std::int32_t bow_ = 0;          // m E
-  std::int32_t normal_bow_ = 0;   // J / A
+  std::int32_t width_;                        // h
+  std::int32_t bow_ = 0;                      // m E
+  std::int32_t normal_bow_ = 0;               // J / A
   std::int32_t error_ = LevelPlace::unknown;  // of F on the whole chord
 };
 

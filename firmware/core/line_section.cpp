@@ -15,8 +15,12 @@ constexpr int root_fraction = 32;
 struct WideLine {
   Wide<128> v0, v1, v2;
 
-  WideLine(const ScaledQuadratic& p, std::int32_t x, std::int32_t y)
-      : v0(p.at(x, y)), v1(p.q[0].times(2 * x) + p.q[1].times(y) + p.q[3]), v2(p.q[0]) {}
+  WideLine(const ScaledQuadratic& p, std::int32_t x, std::int32_t y) : v2(p.q[0]) {
+    const Wide<128> rise = v2.times(x);
+    const Wide<128> chord = rise + p.q[1].times(y) + p.q[3];  // from x = 0
+    v0 = chord.times(x) + (p.q[2].times(y) + p.q[4]).times(y) + p.q[5];
+    v1 = chord + rise;
+  }
   WideLine(const ScaledLinear& p, std::int32_t x, std::int32_t y) : v0(p.at(x, y)), v1(p.q[0]) {}
 
   // Bits that hold the sum of its terms' sizes for |t| <= h.
