@@ -3,6 +3,7 @@
 #include "boards/mps2-an385/baselines.hpp"
 #include "boards/mps2-an385/root32.hpp"
 #include "boards/mps2-an385/surface64.hpp"
+#include "firmware/core/reaches_level.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace::mps2 {
@@ -46,7 +47,7 @@ void shade_any_quadric(const ShadeJob& job, Shader, std::int32_t y, std::int32_t
     if (level >= 0 && window.holds(light, sure)) continue;
     const std::int32_t k = search_level(job.table, level, [&](std::int32_t candidate) {
       const Answer answer = compare(light, sure, job.table.squares[static_cast<std::size_t>(candidate)]);
-      return answer == Answer::unsure ? settled(job, x, y, candidate) : answer == Answer::yes;
+      return answer == Answer::unsure ? reaches_level(job, x, y, candidate) : answer == Answer::yes;
     });
     if (k == level) continue;
     if (level >= 0) job.painter.fill(from, x - 1, level);

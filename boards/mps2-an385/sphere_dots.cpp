@@ -2,6 +2,7 @@
 #include "boards/mps2-an385/baselines.hpp"
 #include "boards/mps2-an385/surface64.hpp"
 #include "firmware/core/isqrt.hpp"
+#include "firmware/core/reaches_level.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace::mps2 {
@@ -74,7 +75,7 @@ void shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, 
     if (reaches(low - upper(l), g.v) == 1 && reaches(high - upper(l), g.v) == 0) continue;
     const std::int32_t k = search_level(job.table, level, [&](std::int32_t candidate) {
       const int answer = reaches(s.t[candidate] - upper(l), g.v);
-      return answer < 0 ? settled(job, x, y, candidate) : answer == 1;
+      return answer < 0 ? reaches_level(job, x, y, candidate) : answer == 1;
     });
     if (k == level) continue;
     if (level >= 0) job.painter.fill(from, x - 1, level);

@@ -38,10 +38,4 @@ class LastFace {
   Prepared prepared_;
 };
 
-// The face's exact answer.
-inline bool settled(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int32_t k) {
-  ++job.counters.exact_levels;
-  return job.exact.reaches_level(job.face, job.lighting, job.table.levels, k, x, y);
-}
-
 }  // namespace halfspace::mps2

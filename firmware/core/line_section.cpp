@@ -1,7 +1,6 @@
 #include "firmware/core/line_section.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "firmware/core/root_surface.hpp"
 
@@ -11,15 +10,17 @@ namespace {
 constexpr int square_bits = 60;        // q and r s
 constexpr int discriminant_bits = 59;  // a bit less than quick_root allows: rounding may carry
 constexpr int root_fraction = 32;
-constexpr std::int32_t never = std::numeric_limits<std::int32_t>::max();
-constexpr std::int32_t shortest_half = 8;  // where slopes are known: they would not fit in shorter sections
 
 // A line of a face's polynomial, before it is scaled.
 struct WideLine {
   Wide<128> v0, v1, v2;
 
-  WideLine(const ScaledQuadratic& p, std::int32_t x, std::int32_t y)
-      : v0(p.at(x, y)), v1(p.q[0].times(2 * x) + p.q[1].times(y) + p.q[3]), v2(p.q[0]) {}
+  WideLine(const ScaledQuadratic& p, std::int32_t x, std::int32_t y) : v2(p.q[0]) {
+    const Wide<128> rise = v2.times(x);
+    const Wide<128> chord = rise + p.q[1].times(y) + p.q[3];  // from x = 0
+    v0 = chord.times(x) + (p.q[2].times(y) + p.q[4]).times(y) + p.q[5];
+    v1 = chord + rise;
+  }
   WideLine(const ScaledLinear& p, std::int32_t x, std::int32_t y) : v0(p.at(x, y)), v1(p.q[0]) {}
 
   // Bits that hold the sum of its terms' sizes for |t| <= h.
@@ -33,33 +34,10 @@ struct WideLine {
   }
 };
 
-// An upper bound of 256 |v|, v the part of N that goes with s: |v|^2 D <= q.
-std::uint32_t root_part(const LinePolynomial& d, const LinePolynomial& q) {
-  constexpr std::int64_t least = std::int64_t{1} << 40;
-  if (d.v0 < least || q.v0 < least) return 1U << 30;
-  const auto n = static_cast<std::uint32_t>(quick_root(static_cast<std::uint64_t>(q.v0)));
-  const auto s = static_cast<std::uint32_t>(quick_root(static_cast<std::uint64_t>(d.v0)));
-  return (n + 4) / ((s - 4) >> 8) + 1;
-}
-
-// 256 slope |K| 2^-90, rounded up, `part` being 256 slope. K is taken from 30 bits of D0, D1 h and D2 h^2, h = 2^half_bits.
-std::uint64_t bend_of(const LinePolynomial& d, int half_bits, std::uint32_t part) {
-  const std::int64_t d0 = d.v0 >> 30;
-  const std::int64_t d1 = d.v1 >> (30 - half_bits);
-  const std::int64_t d2 = d.v2 >> (30 - 2 * half_bits);
-  const std::uint64_t k = magnitude(d0 * d2 - (d1 * d1 >> 2)) + (std::uint64_t{1} << 33);
-  return (((k >> 32) + 1) * part >> (2 * half_bits - 2)) + 1;
-}
-
 // In units of 2^unit. The terms at tau = 1 are up to 2 and 4 times those at the ends.
 ShortPolynomial shortened(const LinePolynomial& p, int half_bits, int unit) {
   const auto cut = [](std::int64_t v, int shift) { return static_cast<std::int32_t>(shifted_down(v, shift)); };
   return {cut(p.v0, unit), cut(p.v1, unit + 2 - half_bits), cut(p.v2, unit + 3 - 2 * half_bits)};
-}
-
-// Its slope: v1 + 2 v2 t.
-ShortPolynomial slope_of(const LinePolynomial& p, int half_bits, int unit) {
-  return shortened({p.v1, 2 * p.v2, 0}, half_bits, unit);
 }
 
 }  // namespace
@@ -72,7 +50,6 @@ LineSection::LineSection(const ShadeJob& job, std::int32_t y, std::int32_t x0, s
       half_bits_(static_cast<int>(std::bit_width(static_cast<std::uint32_t>(half_)))),
       tau_shift_(31 - half_bits_) {
   load(job.face.surface, job.table.light_bits, middle_ - job.face.origin_x, y - job.face.origin_y);
-  prepare_slopes();
   prepare_errors();
 }
 
@@ -110,31 +87,16 @@ void LineSection::load(const RootSurface& f, int light_bits, std::int32_t x, std
   short_l_ = shortened(l_, half_bits_, light_fraction);
 }
 
-void LineSection::prepare_slopes() {
-  const std::uint64_t steepest = magnitude(d_.v1) + 2 * static_cast<std::uint64_t>(half_) * magnitude(d_.v2);
-  slope_shift_ = std::max(0, static_cast<int>(std::bit_width(steepest)) - 31);
-  d_slope_ = slope_of(d_, half_bits_, slope_shift_);
-  q_slope_ = slope_of(q_, half_bits_, short_unit);
-  r_slope_ = static_cast<std::int32_t>(r_.v1 >> short_unit);
-  l_slope_ = static_cast<std::int32_t>(l_.v1 >> light_fraction);
-  const auto m = static_cast<std::uint32_t>(magnitude(m_));
-  const std::uint64_t bend = bend_of(d_, half_bits_, root_part(d_, q_) + (m >> 22) + 1);
-  const std::uint64_t curved = std::clamp<std::uint64_t>(9 * magnitude(d_.v2), 1, (std::uint64_t{1} << 60) - 1);
-  bend_ = static_cast<std::uint32_t>(bend);
-  sloped_from_ = half_ < shortest_half ? never : 1 << std::max(20, slope_shift_);
-  steady_from_ = bend >> 32 != 0 ? never : std::max<std::int32_t>(1 << 24, quick_root(curved) + 64);
-}
-
 void LineSection::prepare_errors() {
   deep_from_ = half_ * half_ + half_ + 2;
   errors_[0] = errors_for(half_ + 6);
   errors_[1] = errors_for(6);
   // What is short adds 16 units to l, 16 s to r s and 40 2^short_unit to q: the last two less than 2^35.
-  Errors quick = errors_[1];
-  quick.light += 16;
-  quick.light_squared = std::uint64_t{quick.light} * quick.light;
-  quick.square += 1U << (35 - error_unit);
-  quick_margin_ = margin_of(quick, {std::int64_t{1} << 30, std::int64_t{1} << square_bits}, ~0U);
+  const std::int32_t roots[2] = {half_ + 6, 6};
+  for (int i = 0; i < 2; ++i) {
+    quick_errors_[i] = {roots[i], static_cast<std::int32_t>(errors_[i].light) + 16,
+                        static_cast<std::int32_t>(errors_[i].square >> (16 - error_unit)) + (1 << 19) + 1};
+  }
 }
 
 LineSection::Errors LineSection::errors_for(std::int64_t root_error) const {

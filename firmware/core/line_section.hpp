@@ -62,10 +62,9 @@ struct LitDot {
   Light light;
 };
 
-// How s, L and, in units of 2^28, |N|^2 change from dot to dot there.
-struct LitSlope {
-  std::int32_t s, l, n2;
-  bool known, steady;
+// What a quick dot may be off by: s, L, and |N|^2 in units of 2^16.
+struct QuickErrors {
+  std::int32_t root, light, square;
 };
 
 class LineSection {
@@ -93,7 +92,7 @@ class LineSection {
     const std::int64_t d = d_.at(t);
     return d > 0 ? quick_root(static_cast<std::uint64_t>(d)) : 0;
   }
-  // The dot in shorter words, to within quick_margin() where it is deep().
+  // The dot in shorter words, to within quick_errors().
   [[nodiscard, gnu::always_inline]] LitDot quick_dot(std::int32_t t) const {
     LitDot dot;
     const std::int32_t tau = t << tau_shift_;
@@ -105,43 +104,13 @@ class LineSection {
         std::max<std::int64_t>(std::int64_t{short_q_.at(tau)} * (1 << short_unit) + std::int64_t{dot.r} * dot.s, 0);
     return dot;
   }
-  // Not known at limbs; steady where s' is off by less than 2^7 and at most s / 16, and |D2| at most s^2 / 9.
-  [[nodiscard, gnu::always_inline]] LitSlope slope(const LitDot& dot) const {
-    LitSlope slope{0, 0, 0, dot.s >= sloped_from_, false};
-    if (!slope.known) return slope;
-    const std::int32_t tau = dot.t << tau_shift_;
-    slope.s = halved_ratio(d_slope_.linear(tau), dot.s);
-    const std::int32_t size = slope.s < 0 ? -slope.s : slope.s;
-    slope.known = size < 1 << 29;
-    if (!slope.known) return slope;
-    slope.steady = size < dot.s >> 4 && dot.s >= steady_from_;
-    slope.l = l_slope_ + static_cast<std::int32_t>(std::int64_t{m_} * slope.s >> 30);
-    slope.n2 = q_slope_.linear(tau) + high_product(r_slope_, dot.s) +
-               static_cast<std::int32_t>(std::int64_t{dot.r} * slope.s >> 28);
-    return slope;
-  }
-
   // What s may be off by at a dot.
   [[nodiscard]] std::int32_t root_error(std::int32_t s) const { return s >= deep_from_ ? 6 : half_ + 6; }
   [[nodiscard]] std::int32_t root_error(const LitDot& dot) const { return root_error(dot.s); }
-  // Of a quick dot away from limbs, for every square.
-  [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
-  [[nodiscard]] const Margin& quick_margin() const { return quick_margin_; }
+  [[nodiscard]] const QuickErrors& quick_errors(const LitDot& dot) const { return quick_errors_[deep(dot) ? 1 : 0]; }
   // Of dot(): of L, and of L^2 - square |N|^2 / 2^32.
   [[nodiscard]] Margin margin(const LitDot& dot, std::uint32_t square) const {
     return margin_of(errors_[deep(dot) ? 1 : 0], dot.light, square);
-  }
-
-  // Where the slope is steady: whether, to the neighbouring dots, s leaves its tangent by so little, eps, that 2 L eps times what
-  // L - t |N| changes with s is less than room (in 2^24).
-  //   s'' = K / s^3, K = D0 D2 - D1^2 / 4. |s'| <= s / 16 and |D2| <= s^2 / 9 make D >= 4 (|D'| + |D2|), so neighbours have
-  //   s >= sqrt(3/4) of here, and eps, half of the largest s'', is less than 0.78 K / s^3. L - t |N| changes with s by
-  //   |m| + |v| at most, so 2 L (|m| + |v|) K <= room s^3 is enough.
-  [[nodiscard, gnu::always_inline]] bool straight(const LitDot& dot, std::int32_t room) const {
-    const std::uint32_t s = static_cast<std::uint32_t>(dot.s) << 2;
-    const std::uint32_t cube = high_product(high_product(s, s), s);  // of s 2^-30, 32 bits of fraction
-    const std::uint32_t bend = high_product(static_cast<std::uint32_t>(dot.light.l), bend_);
-    return bend < 1U << 30 && 2 * bend + 2 < high_product(cube, static_cast<std::uint32_t>(room));
   }
 
   [[nodiscard]] const LinePolynomial& discriminant() const { return d_; }
@@ -154,22 +123,14 @@ class LineSection {
   static constexpr int short_unit = 28;  // log2 of the unit of short_q_
 
  private:
+  // Away from limbs, where s is off by no more than a root's own error.
+  [[nodiscard]] bool deep(const LitDot& dot) const { return dot.s >= deep_from_; }
+
   static constexpr int error_unit = 10;
   struct Errors {
     std::uint32_t light, square;  // of L; of |N|^2 in 2^error_unit
     std::uint64_t light_squared;
   };
-  // 2^slope_shift d / 2 s, for s >= 2^slope_shift
-  [[nodiscard, gnu::always_inline]] std::int32_t halved_ratio(std::int32_t d, std::int32_t s) const {
-    // 1 / s = inverse 2^(zeros - 62): a division for 15 bits, Newton's step for 29
-    const int zeros = std::countl_zero(static_cast<std::uint32_t>(s));
-    const std::uint32_t top = static_cast<std::uint32_t>(s) << zeros;
-    const std::uint32_t guess = ~0U / (top >> 16 | 1U << 15);
-    const auto rest = static_cast<std::int32_t>((1U << 31) - high_product(top, guess << 15));
-    const std::int32_t inverse =
-        static_cast<std::int32_t>(guess << 14) + (static_cast<std::int32_t>(guess) * (rest >> 2) >> 15);
-    return high_product(d, inverse) >> (31 - slope_shift_ - zeros);
-  }
   [[nodiscard]] static Margin margin_of(const Errors& e, const Light& light, std::uint32_t square) {
     const std::uint64_t from_l = (magnitude(light.l) & 0xffffffffU) * (2 * e.light) + e.light_squared;
     const std::uint64_t from_n = (std::uint64_t{square} * e.square >> 32) + 1;
@@ -177,7 +138,6 @@ class LineSection {
     return {e.light, static_cast<std::int64_t>(from_l + (from_n << error_unit)) + (light.n2 >> 32) + 4};
   }
   void load(const RootSurface& f, int light_bits, std::int32_t x, std::int32_t y);
-  void prepare_slopes();
   void prepare_errors();
   [[nodiscard]] Errors errors_for(std::int64_t root_error) const;
 
@@ -185,16 +145,11 @@ class LineSection {
   int half_bits_, tau_shift_;
   LinePolynomial d_, q_, r_, l_;
   std::int32_t m_ = 0;
-  int slope_shift_ = 0;                // d_slope_ in 2^slope_shift
-  ShortPolynomial d_slope_, q_slope_;  // of the latter a unit is 2^28
   ShortPolynomial short_q_, short_r_, short_l_;
-  std::int32_t r_slope_ = 0, l_slope_ = 0;
-  std::int32_t deep_from_ = 0;                      // from this s on its error is 6
-  std::int32_t sloped_from_ = 0, steady_from_ = 0;  // see slope()
-  std::uint32_t bend_ = 0;                          // see straight()
+  std::int32_t deep_from_ = 0;  // from this s on its error is 6
   bool dark_ = false;
   Errors errors_[2] = {};  // at a limb, and elsewhere
-  Margin quick_margin_;
+  QuickErrors quick_errors_[2] = {};
 };
 
 }  // namespace halfspace

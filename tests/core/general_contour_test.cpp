@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "firmware/core/contour.hpp"
+#include "firmware/core/isqrt.hpp"
+#include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
 #include "firmware/core/ridge_form.hpp"
 #include "tests/core/faces.hpp"
@@ -204,6 +206,57 @@ TEST(GeneralContour, TheWidestSpan) {
   Tally tally;
   expect_same_dots(face, lighting, 256, 30, width, dice, tally);
   EXPECT_GT(tally.dots, 32000U);
+}
+
+// Where the chord's ends have different levels, dots as far as its error before a place must still have the one, those beyond the other.
+TEST(LevelChord, PlacesErrByNoMoreThanTheySay) {
+  Dice dice(37);
+  int places = 0;
+  int close = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const std::int32_t width = trial % 4 == 0 ? 1000 : 200;
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face =
+        solid_face(dice, between(dice, 0, width), between(dice, 0, width), between(dice, width / 8, width), lighting);
+    const std::int32_t levels = random_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, width);
+    if (face.active.kind != FaceKind::root || exact == nullptr) continue;
+    const auto y = static_cast<std::int32_t>(between(dice, 0, width - 1));
+    Canvas canvas(lighting, levels, width);
+    for (const DotRun& run : runs_of(face, y, width)) {
+      if (run.x1 - run.x0 < 2) continue;
+      const std::vector<std::uint8_t> row = canvas.dots(face, *exact, y, run).levels;
+      canvas.shade(face, *exact, y, run, [&](const ShadeJob& job, std::int32_t line_y, DotRun dots) {
+        const LineSection line(job, line_y, dots.x0, dots.x1);
+        if (line.dark()) return;
+        const auto from = static_cast<std::int32_t>(between(dice, dots.x0, dots.x1 - 2));
+        const auto to = static_cast<std::int32_t>(between(dice, from + 2, std::min(dots.x1, from + 40)));
+        const LevelDot a(line, from - line.middle(), 128);
+        const LevelDot b(line, to - line.middle(), 128);
+        const LevelChord chord(line, a, b);
+        for (std::int32_t k = job.table.ambient_level + 1; k <= job.table.top_level; ++k) {
+          const std::uint64_t square = job.table.squares[static_cast<std::size_t>(k)];
+          if ((row[static_cast<std::size_t>(from)] >= k) == (row[static_cast<std::size_t>(to)] >= k)) continue;
+          if (square < 1U << 20) continue;  // its root has too few bits here
+          const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2) * 2);
+          const LevelPlace place = chord.place(bar, a.above(bar), b.above(bar));
+          if (place.error == LevelPlace::unknown) continue;
+          ++places;
+          if (place.error < 1 << 13) ++close;
+          for (std::int32_t x = from; x <= to; ++x) {
+            const bool as_from = (row[static_cast<std::size_t>(x)] >= k) == (row[static_cast<std::size_t>(from)] >= k);
+            const std::int32_t at = (x - from) * (1 << 16);
+            const bool is_before = at < place.at - place.error;
+            const bool is_beyond = at > place.at + place.error;
+            ASSERT_TRUE(as_from ? !is_beyond : !is_before) << "trial " << trial << " level " << k << " dot " << x;
+          }
+        }
+      });
+      ASSERT_FALSE(HasFatalFailure());
+    }
+  }
+  EXPECT_GT(places, 1500);
+  EXPECT_GT(close * 2, places);
 }
 
 // The point of it: few dots of a large face are asked for themselves.
