@@ -31,7 +31,8 @@ class Real {
   constexpr Real() = default;
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  constexpr Real(Number v) : bits_(std::bit_cast<Bits128>(static_cast<NativeReal>(v))) {}
+  constexpr Real(Number v)  // NOLINT(google-explicit-constructor): numbers are Reals
+      : bits_(std::bit_cast<Bits128>(static_cast<NativeReal>(v))) {}
   static constexpr Real of(NativeReal v) { return of_bits(std::bit_cast<Bits128>(v)); }
   static constexpr Real of_bits(Bits128 bits) {
     Real result;
