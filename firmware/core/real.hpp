@@ -36,7 +36,7 @@ class Real {
   constexpr Real(const Wide<Bits>& value, int exponent, std::int64_t error = 0) {
     const int shift = std::max(0, value.bit_length() - 61);
     const std::int64_t lost = shift > 0 ? 1 : 0;
-    *this = normalised(scaled(value, shift), (error >> shift) + 2 * lost, exponent + shift);
+    *this = normalised(scaled(value, shift), (error >> std::min(shift, 63)) + 2 * lost, exponent + shift);
   }
 
   // The sign where it is certain, else 0.

@@ -222,7 +222,7 @@ class Survey {
       if (turns == 1) {
         const std::uint32_t ridge = ridge_before(end);
         if (ridge - at_ > rim_) return {ridge - rim_, true};
-        return {std::min(ridge + rim_, end), false};
+        return {end - ridge > rim_ ? ridge + rim_ : end, false};
       }
       end = at_ + (end - at_) / 2;
     }
