@@ -12,15 +12,22 @@ ContourKind kind_of(const ShadeJob& job) {
   return ContourKind::straight;
 }
 
-// Costs on a Cortex-M3, in hundreds of instructions (docs/contours.md): a span of n dots with r runs takes
-//   110 + 3.3 n + 0.9 r  dot by dot,  120 + 5.1 r  by general contours;
-// those of a sphere, or straight ones, cost a seventh of that a run. The last span tells r / n; before there is one, each level once.
+// What a span by general contours costs more than dot by dot: so much itself and a run, and so much less a dot. Only the proportions
+// count.
+struct Costs {
+  std::uint32_t span, run, dot;
+};
+// Instructions of a Cortex-M3 and nanoseconds of an x86-64 (docs/contours.md), which multiplies 64 bits at once: there a root at every
+// dot costs less beside all the rest.
+constexpr Costs costs = limb_bits == 32 ? Costs{200, 11, 33} : Costs{60, 4, 2};
+
+// Whether that is cheaper. The last span tells the runs a dot; before there is one, each level is met once.
 bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
-  const std::uint32_t runs = face.dots == 0 ? levels : dots * face.runs / face.dots;
-  // Dot by dot a run can stand for several levels that change between two dots.
-  return (face.by_dots ? 55 : 42) * runs + 100 < 33 * dots;
+  std::uint32_t runs = face.dots == 0 ? levels : dots * face.runs / face.dots;
+  if (face.by_dots) runs += runs / 4;  // one can stand for several levels that change between two dots
+  return costs.run * runs + costs.span < costs.dot * dots;
 }
 
 bool shade_by(const ShadeJob& job, bool general, std::int32_t y, std::int32_t x0, std::int32_t x1) {

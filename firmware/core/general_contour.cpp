@@ -93,7 +93,11 @@ class SpanTracer {
   }
 
   [[nodiscard]] Course next_piece(const Stop& a, Stop& b) const;
-  Stop dot_by_dot(const Stop& from, std::int32_t to);
+  [[nodiscard]] bool keeps_level(const LevelDot& a, const LevelDot& b) const;
+  void dot_by_dot(const Stop& from, const Stop& to);
+  void step_over(const Stop& from, const Stop& to);
+  void dot(const LevelDot& dot);
+  [[nodiscard]] Stop flat(const Stop& from, const Stop& last, std::int32_t& way);
   struct RidgeStop {
     std::int32_t t;
     RidgeDot ridge;
@@ -120,15 +124,47 @@ class SpanTracer {
   std::int32_t chord_ = first_chord;
 };
 
+// Both, and all dots between them, have the level so far.
+bool SpanTracer::keeps_level(const LevelDot& a, const LevelDot& b) const {
+  const LevelChord chord(line_, a, b);
+  const auto keeps = [&](int sign, std::int32_t k) {
+    const std::uint32_t bar = bars_.of(k);
+    return chord.keeps_sign(sign, bar, a.above(bar), b.above(bar));
+  };
+  return (level_ == job_.table.ambient_level || keeps(1, level_)) &&
+         (level_ == job_.table.top_level || keeps(-1, level_ + 1));
+}
+
+// A dot for itself.
+void SpanTracer::dot(const LevelDot& dot) {
+  const std::int32_t next = level_of(dot, level_);
+  if (next != level_) turn(dot.t, next);
+  level_ = next;
+  ++job_.counters.intensities;
+}
+
 // Each dot after `from` up to `to` for itself.
-Stop SpanTracer::dot_by_dot(const Stop& from, std::int32_t to) {
-  for (std::int32_t t = from.dot.t + 1; t <= to; ++t) {
-    const std::int32_t next = level_of(level_dot(t), level_);
-    if (next != level_) turn(t, next);
-    level_ = next;
-    ++job_.counters.intensities;
+void SpanTracer::dot_by_dot(const Stop& from, const Stop& to) {
+  for (std::int32_t t = from.dot.t + 1; t < to.dot.t; ++t) dot(level_dot(t));
+  dot(to.dot);
+}
+
+// On from `from` to `to`, where the course is not known.
+void SpanTracer::step_over(const Stop& from, const Stop& to) {
+  if (to.dot.t - from.dot.t == 1 || !keeps_level(from.dot, to.dot)) dot_by_dot(from, to);
+}
+
+// Where the form vanishes, as on a ruling: on by `way` dots, more the next time, or fewer where that is not one level.
+Stop SpanTracer::flat(const Stop& from, const Stop& last, std::int32_t& way) {
+  const Stop to = from.dot.t + way >= last.dot.t ? last : stop_at(from.dot.t + way);
+  const bool level = keeps_level(from.dot, to.dot);
+  if (level || way <= short_piece) {
+    if (!level) dot_by_dot(from, to);
+    way = std::min(4 * way, 2 * longest_half);
+    return to;
   }
-  return stop_at(to);
+  way = short_piece;
+  return from;
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
@@ -165,7 +201,9 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   monotone(a.dot, left.dot, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
-  monotone(dot_by_dot(left, last.t).dot, b.dot, b.ridge.sign() > 0);
+  const Stop right = last.t == b.dot.t ? b : stop_at(last.t);
+  step_over(left, right);
+  monotone(right.dot, b.dot, b.ridge.sign() > 0);
 }
 
 // The first dot beyond level k between `before`, which is not, and `from`, which is.
@@ -248,18 +286,18 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   level_ = level_of(a.dot, -1);
   painter_.change(x0, level_);
   ++job_.counters.level_spans;
-  std::int32_t skip = 1;
+  std::int32_t way = short_piece;
   while (a.dot.t < last.dot.t) {
     Stop b = last;
     const Course course = next_piece(a, b);
-    if (course == Course::unsure) {
-      // Where the form vanishes, as on a ruling, ever longer runs go dot by dot.
-      skip = std::min<std::int32_t>(2 * skip, 64);
-      a = dot_by_dot(a, a.ridge.sign() == 0 ? std::min(a.dot.t + skip, last.dot.t) : b.dot.t);
+    if (course == Course::unsure && a.ridge.sign() == 0) {
+      a = flat(a, last, way);
       continue;
     }
-    skip = 1;
-    if (course == Course::ridge) {
+    way = short_piece;
+    if (course == Course::unsure) {
+      step_over(a, b);
+    } else if (course == Course::ridge) {
       ridge_between(a, b);
     } else {
       monotone(a.dot, b.dot, a.ridge.sign() > 0);

@@ -44,6 +44,15 @@ class LevelChord {
  public:
   LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b);
 
+  // Whether F is surely above 0 all along, given its values at the ends; or, by `sign` -1, below. It leaves its chord by a quarter of
+  // the bow at most.
+  [[nodiscard]] bool keeps_sign(int sign, std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
+    const std::int64_t inward = -std::int64_t{sign} * bow(bar) / 4;
+    return error_ != LevelPlace::unknown &&
+           std::min<std::int64_t>(std::int64_t{sign} * at_a, std::int64_t{sign} * at_b) >
+               error_ + 1 + std::max<std::int64_t>(inward, 0);
+  }
+
   // Where F is 0, given its values at the ends, of different signs but for their errors.
   //   The smaller root of the quadratic is u = 2 u0 / (1 - kappa + q), q^2 = (1 - kappa)^2 + 4 kappa u0, and F's slope there q times
   //   that of its chord. Where F is off by P, with e = P / |F_a - F_b| q <= 1/32 the root is off by less than 5/4 e: so far from it
@@ -53,14 +62,14 @@ class LevelChord {
     const auto from = static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? at_a : -at_a, 0));
     const std::uint32_t all = from + static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? -at_b : at_b, 0));
     const auto most = static_cast<std::int32_t>((all >> 1) - (all >> 6));
-    const std::int32_t bow = bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar >> 1));
-    if (all < least || bow > most || -bow > most || error_ > static_cast<std::int32_t>(all >> 5)) {
+    const std::int32_t b = bow(bar);
+    if (all < least || b > most || -b > most || error_ > static_cast<std::int32_t>(all >> 5)) {
       return {0, LevelPlace::unknown};
     }
     const int shift = 16 - std::countl_zero(all);
     const auto inverse = static_cast<std::int32_t>(0x7fffffffU / (all >> shift));  // 2^31 / the leading 16 bits
     const std::uint32_t u0 = (from >> shift) * static_cast<std::uint32_t>(inverse) >> 15;
-    const std::int32_t kappa = ((falls ? bow : -bow) >> shift) * inverse >> 16;
+    const std::int32_t kappa = ((falls ? b : -b) >> shift) * inverse >> 16;
     const auto rest = static_cast<std::uint32_t>((1 << 15) - kappa);
     const std::uint32_t square = rest * rest + static_cast<std::uint32_t>(kappa) * u0 * 2;  // 2^28 at least
     const std::uint32_t guess = first_roots[square >> 24];
@@ -72,6 +81,10 @@ class LevelChord {
   }
 
  private:
+  [[nodiscard]] std::int32_t bow(std::uint32_t bar) const {
+    return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar >> 1));
+  }
+
   static constexpr std::uint32_t least = 1 << 17;
   // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 3 of kappa, 8 of q and its sum, 1 of the quotient, 4 of e's.
   static constexpr std::int32_t rounding = 28;
