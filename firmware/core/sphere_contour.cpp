@@ -3,6 +3,7 @@
 #include "firmware/core/contour.hpp"
 #include "firmware/core/quick_root.hpp"
 #include "firmware/core/real.hpp"
+#include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
 namespace {
@@ -23,10 +24,10 @@ bool all_zero(std::span<const Wide<128>> coefficients) {
   return std::all_of(coefficients.begin(), coefficients.end(), [](const Wide<128>& c) { return c.is_zero(); });
 }
 
-// |N| constant, and every form exact.
+// |N| constant, but for what its own rounding hides, and D and the light exact.
 bool has_constant_normal(const RootSurface& s) {
-  return s.discriminant.exponent == 0 && s.light.exponent == 0 && s.square.exponent == 0 &&
-         all_zero(std::span(s.square.q).first<5>()) && all_zero(s.square_root.q) && s.discriminant.q[0].negative();
+  return s.discriminant.exponent == 0 && s.light.exponent == 0 && all_zero(std::span(s.square.q).first<5>()) &&
+         all_zero(s.square_root.q) && s.discriminant.q[0].negative();
 }
 
 // The chord of line y: D = -d0 (rho^2 - (x - centre)^2), and 4 d0^2 rho^2 = e2 y^2 + e1 y + e0.
@@ -49,6 +50,14 @@ Outline outline_of(const RootSurface& s) {
           middle, (-e2).root() / -two_d0, (e0 + (e1 * middle).half()).root() / -two_d0};
 }
 
+// |N|^2 = q + r sqrt(D) with what rounding may have cut off.
+Real square_of(const RootSurface& s, const Outline& o) {
+  const int exponent = s.square.exponent;
+  const std::int64_t rounded = exponent > 0 ? 1 : 0;
+  return Real(s.square.q[5], exponent, rounded << quadratic_error_bits) +
+         Real(Wide<128>(), exponent, rounded << linear_error_bits) * o.d0.root() * o.radius;
+}
+
 bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const RootSurface& s = job.face.surface;
   if (!has_constant_normal(s)) return false;
@@ -63,7 +72,7 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const Lighting& g = job.lighting;
   std::int64_t l2 = 0;
   for (const std::int32_t l : g.light) l2 += static_cast<std::int64_t>(l) * l;
-  const Real scale = o.radius / (Real(l2) * Real(s.square.q[5], 0)).root();
+  const Real scale = o.radius / (Real(l2) * square_of(s, o)).root();
   const Real l0(s.light.q[0], 0);
   const Real a = l0 * scale;
   const Real b = Real(s.light_root, 0) * o.d0.root() * scale;
