@@ -92,12 +92,15 @@ class SpanTracer {
     return {ridge_.at(t, dot.s, dot.root_error), dot};
   }
 
-  [[nodiscard]] Course next_piece(const Stop& a, Stop& b) const;
+  struct Piece {
+    Course course;
+    bool level;  // all of it
+  };
+  [[nodiscard]] Piece next_piece(const Stop& a, Stop& b) const;
   [[nodiscard]] bool keeps_level(const LevelDot& a, const LevelDot& b) const;
   void dot_by_dot(const Stop& from, const Stop& to);
   void step_over(const Stop& from, const Stop& to);
   void dot(const LevelDot& dot);
-  [[nodiscard]] Stop flat(const Stop& from, const Stop& last, std::int32_t& way);
   struct RidgeStop {
     std::int32_t t;
     RidgeDot ridge;
@@ -152,19 +155,6 @@ void SpanTracer::dot_by_dot(const Stop& from, const Stop& to) {
 // On from `from` to `to`, where the course is not known.
 void SpanTracer::step_over(const Stop& from, const Stop& to) {
   if (to.dot.t - from.dot.t == 1 || !keeps_level(from.dot, to.dot)) dot_by_dot(from, to);
-}
-
-// Where the form vanishes, as on a ruling: on by `way` dots, more the next time, or fewer where that is not one level.
-Stop SpanTracer::flat(const Stop& from, const Stop& last, std::int32_t& way) {
-  const Stop to = from.dot.t + way >= last.dot.t ? last : stop_at(from.dot.t + way);
-  const bool level = keeps_level(from.dot, to.dot);
-  if (level || way <= short_piece) {
-    if (!level) dot_by_dot(from, to);
-    way = std::min(4 * way, 2 * longest_half);
-    return to;
-  }
-  way = short_piece;
-  return from;
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
@@ -264,14 +254,15 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   level_ = rising ? k - 1 : k;
 }
 
-// The course from a to b, b drawn nearer until it is sure, or short, or a's own course is not sure.
-Course SpanTracer::next_piece(const Stop& a, Stop& b) const {
-  while (b.dot.t - a.dot.t > short_piece) {
+// What is known from a to b, b drawn nearer until that is something or they are near each other.
+SpanTracer::Piece SpanTracer::next_piece(const Stop& a, Stop& b) const {
+  for (;;) {
     const Course course = ridge_.course(a.ridge, b.ridge);
-    if (course != Course::unsure || a.ridge.sign() == 0) return course;
+    if (course != Course::unsure) return {course, false};
+    if (keeps_level(a.dot, b.dot)) return {course, true};
+    if (b.dot.t - a.dot.t <= short_piece) return {course, false};
     b = stop_at(a.dot.t + (b.dot.t - a.dot.t) / 2);
   }
-  return Course::unsure;
 }
 
 void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
@@ -286,21 +277,17 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   level_ = level_of(a.dot, -1);
   painter_.change(x0, level_);
   ++job_.counters.level_spans;
-  std::int32_t way = short_piece;
+  std::int32_t reach = 2 * longest_half;  // of a piece, as far as is worth a try
   while (a.dot.t < last.dot.t) {
-    Stop b = last;
-    const Course course = next_piece(a, b);
-    if (course == Course::unsure && a.ridge.sign() == 0) {
-      a = flat(a, last, way);
-      continue;
-    }
-    way = short_piece;
-    if (course == Course::unsure) {
-      step_over(a, b);
-    } else if (course == Course::ridge) {
+    Stop b = last.dot.t - a.dot.t <= reach ? last : stop_at(a.dot.t + reach);
+    const Piece piece = next_piece(a, b);
+    reach = std::min(4 * (b.dot.t - a.dot.t), 2 * longest_half);
+    if (piece.course == Course::ridge) {
       ridge_between(a, b);
-    } else {
+    } else if (piece.course != Course::unsure) {
       monotone(a.dot, b.dot, a.ridge.sign() > 0);
+    } else if (!piece.level) {
+      dot_by_dot(a, b);
     }
     a = b;
   }
