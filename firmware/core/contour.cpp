@@ -1,5 +1,7 @@
 #include "firmware/core/contour.hpp"
 
+#include <algorithm>
+
 namespace halfspace {
 namespace {
 
@@ -7,49 +9,69 @@ ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) return ContourKind::none;
   if (has_sphere_contours(job)) return ContourKind::sphere;
   if (has_wide_coefficients(job.face)) return ContourKind::none;
+  return is_surely_curved(job.face) ? ContourKind::general : ContourKind::almost_ruled;
+}
+
+ContourKind straight_or_general(const ShadeJob& job) {
   if (!has_straight_contours(job)) return ContourKind::general;
   if (job.contours->block.empty()) ++job.counters.crowded_faces;
+  job.contours->kinked_line = kinked_line_of(job.face);
   return ContourKind::straight;
 }
 
-// What a span by general contours costs more than dot by dot: so much itself and a run, and so much less a dot. Only the proportions
-// count.
+// Instructions of a Cortex-M3 or picoseconds of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r
+// levels met from dot to dot takes
+//   dot n + run min(r, n)   dot by dot,   span + step r   more than that one's own set-up by general contours
 struct Costs {
-  std::uint32_t span, run, dot;
+  std::uint32_t dot, run, span, step;
 };
-// Instructions of a Cortex-M3 and nanoseconds of an x86-64 (docs/contours.md), which multiplies 64 bits at once: there a root at every
-// dot costs less beside all the rest.
-constexpr Costs costs = limb_bits == 32 ? Costs{200, 11, 33} : Costs{60, 4, 2};
+constexpr Costs costs = limb_bits == 32 ? Costs{330, 90, 2000, 200} : Costs{8500, 7000, 300000, 25000};
 
-// Whether that is cheaper. The last span tells the runs a dot; before there is one, each level is met once.
+// Whether general contours are cheaper. The last span tells r / n; before there is one, each level is met once.
 bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
-  std::uint32_t runs = face.dots == 0 ? levels : dots * face.runs / face.dots;
-  if (face.by_dots) runs += runs / 4;  // one can stand for several levels that change between two dots
-  return costs.run * runs + costs.span < costs.dot * dots;
+  const std::uint32_t steps = face.dots == 0 ? levels : dots * face.steps / face.dots;
+  return costs.span + costs.step * steps < costs.dot * dots + costs.run * std::min(steps, dots);
+}
+
+// To find out whether a face is ruled costs as much as some 70 dots: so it has to have ten times as many, or a span which shows that it
+// will.
+bool is_small_yet(FaceContours& face, std::uint32_t dots) {
+  constexpr std::uint32_t least = 700;
+  face.waited += dots;
+  return face.waited < least && dots * dots < least;
+}
+
+bool is_kinked(const FaceContours& face, std::int32_t y) {
+  return face.kinked_line == y || face.kinked_line == all_lines;
 }
 
 bool shade_by(const ShadeJob& job, bool general, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   switch (job.contours->kind) {
     case ContourKind::none:
+    case ContourKind::almost_ruled:
       return false;
     case ContourKind::sphere:
       return sphere_contour(job, y, x0, x1) || (general && general_contour(job, y, x0, x1));
     case ContourKind::straight:
       return straight_contour(job, y, x0, x1) ||
-             (general && !is_kinked(job.face, y) && general_contour(job, y, x0, x1));
+             (general && !is_kinked(*job.contours, y) && general_contour(job, y, x0, x1));
     default:
       return general && general_contour(job, y, x0, x1);
   }
 }
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  if (job.contours->kind == ContourKind::unknown) job.contours->kind = kind_of(job);
-  const bool general = shader == Shader::contour || is_sparse(job, static_cast<std::uint32_t>(x1 - x0 + 1));
+  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
+  FaceContours& face = *job.contours;
+  if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
+  if (face.kind == ContourKind::almost_ruled && (shader == Shader::contour || !is_small_yet(face, dots))) {
+    face.kind = straight_or_general(job);
+  }
+  const bool general = shader == Shader::contour || is_sparse(job, dots);
   const bool done = shade_by(job, general, y, x0, x1);
-  job.contours->by_dots = !done;
-  if (done) job.counters.contour_dots += static_cast<std::uint32_t>(x1 - x0 + 1);
+  if (done) job.counters.contour_dots += dots;
   return done;
 }
 

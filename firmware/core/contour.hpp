@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "firmware/core/reaches_level.hpp"
 #include "firmware/core/shade.hpp"
@@ -17,13 +18,14 @@
 
 namespace halfspace {
 
-enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general };
+enum class ContourKind : std::uint8_t { unknown, none, sphere, almost_ruled, straight, general };
 
 // What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
 struct FaceContours {
   ContourKind kind = ContourKind::unknown;
-  bool by_dots = false;              // its last span was shaded dot by dot
-  std::uint32_t dots = 0, runs = 0;  // of that span
+  std::int32_t kinked_line = 0;       // of a straight one
+  std::uint32_t waited = 0;           // dots shaded before its kind was asked for
+  std::uint32_t dots = 0, steps = 0;  // of the last span: levels met from dot to dot
   SphereContours sphere;
   StraightContours straight;
   std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
@@ -32,10 +34,14 @@ struct FaceContours {
 // Whether the face is of the kind; sphere_contour's registers are made on the way.
 [[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
 [[nodiscard]] bool has_straight_contours(const ShadeJob& job);
+// A quick look: whether has_straight_contours() is sure to say no.
+[[nodiscard]] bool is_surely_curved(const ActiveFace& face);
 // Whether they take more than 80 bits: then neither the above nor the next can be told.
 [[nodiscard]] bool has_wide_coefficients(const ActiveFace& face);
-// Whether line y of a face with straight contours goes through its apex: D is a square there, its root has a corner and |N| a zero.
-[[nodiscard]] bool is_kinked(const ActiveFace& face, std::int32_t y);
+// The line through the apex of a face with straight contours: D is a square there, its root has a corner and |N| a zero.
+inline constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::min();
+inline constexpr std::int32_t all_lines = std::numeric_limits<std::int32_t>::max();
+[[nodiscard]] std::int32_t kinked_line_of(const ActiveFace& face);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);

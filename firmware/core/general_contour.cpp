@@ -115,6 +115,7 @@ class SpanTracer {
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
     ++job_.counters.level_spans;
+    ++job_.counters.level_steps;
   }
 
   const ShadeJob& job_;
@@ -250,7 +251,9 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
     }
     a = c;
   }
-  job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
+  const auto steps = static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
+  job_.counters.level_spans += steps;
+  job_.counters.level_steps += steps;
   level_ = rising ? k - 1 : k;
 }
 

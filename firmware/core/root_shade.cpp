@@ -186,6 +186,7 @@ class SpanShader {
     std::int32_t level = -1;
     std::int32_t from = x0_;
     std::uint32_t runs = 1;
+    std::int32_t steps = 0;
     for (std::int32_t x = x0_; x <= x1_; ++x, at.step()) {
       const Light light = at.at(walk.next(at.d));
       const Margin& sure = margin_at(walk.root());
@@ -196,6 +197,7 @@ class SpanShader {
       if (level >= 0) {
         job_.painter.fill(from, x - 1, level);
         ++runs;
+        steps += k > level ? k - level : level - k;
       }
       from = x;
       level = k;
@@ -203,6 +205,7 @@ class SpanShader {
     }
     job_.painter.fill(from, x1_, level);
     job_.counters.level_spans += runs;
+    job_.counters.level_steps += static_cast<std::uint32_t>(steps);
     job_.counters.intensities += static_cast<std::uint32_t>(n_);
   }
 

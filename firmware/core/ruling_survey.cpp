@@ -1,6 +1,7 @@
 #include "firmware/core/ruling_survey.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "firmware/core/contour.hpp"
 #include "firmware/core/cross_arc.hpp"
@@ -389,6 +390,27 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
   return true;
 }
 
+// D in Reals: what cancels has a larger error.
+bool is_surely_curved(const ActiveFace& face) {
+  const auto c = [&face](int i) { return Real(face.c[static_cast<std::size_t>(i)], 0); };
+  const auto minor = [&c](int i, int j, int k, int l) { return c(i) * c(j) - c(k) * c(l); };
+  const Real a = minor(5, 5, 2, 0);
+  const Real b = minor(5, 4, 2, 3);
+  const Real d = minor(4, 4, 2, 1);
+  const Real e = minor(5, 8, 2, 6);
+  const Real f = minor(4, 8, 2, 7);
+  const Real g = minor(8, 8, 2, 9);
+  const Real bef = b * e * f;
+  const Real terms[5] = {a * d * g, bef + bef, -a * f * f, -d * e * e, -g * b * b};
+  Real sum;
+  int most = std::numeric_limits<int>::min();
+  for (const Real& term : terms) {
+    sum = sum + term;
+    if (!term.is_zero()) most = std::max(most, term.bits());
+  }
+  return sum.sign() != 0 && (sum.sign() > 0 ? sum : -sum).bits() > most - 15;
+}
+
 // The determinant of D's matrix is c2^2 times the quadric's, up to sign; it is taken from integers, as RootSurface's may be rounded.
 // What it is above 0 for, such as a cylinder written in decimals, cross_line() makes an error.
 bool has_straight_contours(const ShadeJob& job) {
@@ -409,12 +431,15 @@ bool has_wide_coefficients(const ActiveFace& face) {
                      [](const Wide<128>& c) { return c.bit_length() > most_coefficient_bits; });
 }
 
-// The rulings' common point lies on the line; of parallel rulings, which have none, D is a square on every line or on none.
-bool is_kinked(const ActiveFace& face, std::int32_t y) {
+// The rulings' common point lies there; of parallel rulings, which have none, D is a square on every line or on none.
+std::int32_t kinked_line_of(const ActiveFace& face) {
   const Outline d(face);
   const Product spread = d.spread();
-  if (spread.is_zero()) return d.product(3, 3) == d.product(0, 5) << 2;
-  return spread.times(y - face.origin_y) == d.pole_y();
+  if (spread.is_zero()) return d.product(3, 3) == d.product(0, 5) << 2 ? all_lines : no_line;
+  const Real y = Real(d.pole_y(), 0) / Real(spread, 0);
+  if (y.bits() > coordinate_bits) return no_line;
+  const auto nearest = static_cast<std::int32_t>((y.fixed(1) + 1) >> 1);
+  return spread.times(nearest) == d.pole_y() ? nearest + face.origin_y : no_line;
 }
 
 }  // namespace halfspace

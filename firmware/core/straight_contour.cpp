@@ -51,6 +51,7 @@ class StraightSpan {
     if (from_ <= x1_) run.change(from_, level_);
     run.end(x1_);
     job_.counters.level_spans += runs_;
+    job_.counters.level_steps += runs_;
   }
 
  private:
@@ -120,13 +121,13 @@ class StraightSpan {
   std::uint32_t runs_ = 1;
 };
 
-// A survey costs as much as so many dots one by one: on a Cortex-M3 some 60,000 instructions and 2,500 a level, a dot of a short span 500.
+// A survey costs as much as so many dots one by one, on short spans, where it is often tried in vain.
 // The first pays where so many dots are to be expected, of a face as high as it is wide; later ones, of cones' lines nearer to the apex,
 // where so many have been shaded. After a failure it is twice as many.
 bool is_survey_due(const ShadeJob& job, std::uint32_t dots) {
   const StraightContours& s = job.contours->straight;
-  const auto cost = static_cast<std::uint32_t>(128 + 5 * job.table.levels);
-  return (!s.tried && dots * dots >= cost) || s.waited >= cost << s.failures;
+  const auto cost = static_cast<std::uint32_t>(1500 + 11 * job.table.levels);
+  return (!s.tried && dots * dots >= 4 * cost) || s.waited >= 8 * cost << s.failures;
 }
 
 }  // namespace
