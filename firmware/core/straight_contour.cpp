@@ -121,13 +121,12 @@ class StraightSpan {
   std::uint32_t runs_ = 1;
 };
 
-// A survey costs as much as so many dots one by one, on short spans, where it is often tried in vain.
-// The first pays where so many dots are to be expected, of a face as high as it is wide; later ones, of cones' lines nearer to the apex,
-// where so many have been shaded. After a failure it is twice as many.
+// A survey costs as much as so many dots one by one. The first pays where thrice as many are to be expected, of a face as high as it is
+// wide; others, of cones' lines nearer to the apex, where twice as many have been shaded. After a failure it is twice as many.
 bool is_survey_due(const ShadeJob& job, std::uint32_t dots) {
   const StraightContours& s = job.contours->straight;
-  const auto cost = static_cast<std::uint32_t>(1500 + 11 * job.table.levels);
-  return (!s.tried && dots * dots >= 4 * cost) || s.waited >= 8 * cost << s.failures;
+  const auto cost = static_cast<std::uint32_t>(200 + 8 * job.table.levels);
+  return (!s.tried && dots * dots >= 3 * cost) || s.waited >= 2 * cost << s.failures;
 }
 
 }  // namespace
