@@ -47,30 +47,39 @@ bool is_kinked(const FaceContours& face, std::int32_t y) {
   return face.kinked_line == y || face.kinked_line == all_lines;
 }
 
-bool shade_by(const ShadeJob& job, bool general, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+bool shade_by_general(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  if (shader != Shader::contour && !is_sparse(job, static_cast<std::uint32_t>(x1 - x0 + 1))) return false;
+  return general_contour(job, y, x0, x1);
+}
+
+bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   switch (job.contours->kind) {
     case ContourKind::none:
     case ContourKind::almost_ruled:
       return false;
     case ContourKind::sphere:
-      return sphere_contour(job, y, x0, x1) || (general && general_contour(job, y, x0, x1));
+      return sphere_contour(job, y, x0, x1) || shade_by_general(job, shader, y, x0, x1);
     case ContourKind::straight:
       return straight_contour(job, y, x0, x1) ||
-             (general && !is_kinked(*job.contours, y) && general_contour(job, y, x0, x1));
+             (!is_kinked(*job.contours, y) && shade_by_general(job, shader, y, x0, x1));
     default:
-      return general && general_contour(job, y, x0, x1);
+      return shade_by_general(job, shader, y, x0, x1);
   }
 }
 
-bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
+// As far as that pays.
+void find_kind(const ShadeJob& job, Shader shader, std::uint32_t dots) {
   FaceContours& face = *job.contours;
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::almost_ruled && (shader == Shader::contour || !is_small_yet(face, dots))) {
     face.kind = straight_or_general(job);
   }
-  const bool general = shader == Shader::contour || is_sparse(job, dots);
-  const bool done = shade_by(job, general, y, x0, x1);
+}
+
+bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
+  if (job.contours->kind <= ContourKind::almost_ruled) find_kind(job, shader, dots);
+  const bool done = shade_by(job, shader, y, x0, x1);
   if (done) job.counters.contour_dots += dots;
   return done;
 }

@@ -18,7 +18,7 @@
 
 namespace halfspace {
 
-enum class ContourKind : std::uint8_t { unknown, none, sphere, almost_ruled, straight, general };
+enum class ContourKind : std::uint8_t { unknown, almost_ruled, none, sphere, straight, general };
 
 // What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
 struct FaceContours {

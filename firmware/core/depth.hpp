@@ -34,7 +34,7 @@ struct Counters {
   std::uint32_t curved_faces = 0;   // quadrics that entered
   std::uint32_t crowded_faces = 0;  // ... that found no room for contours and went dot by dot
   std::uint32_t level_spans = 0;    // runs of one level handed to the band
-  std::uint32_t level_steps = 0;    // levels between neighbouring dots of quadrics: what contours find one by one
+  std::uint32_t level_steps = 0;    // levels between neighbouring dots, where a quadric goes dot by dot
   std::uint32_t dots = 0;           // shaded dots (note 10)
   std::uint32_t lines = 0;          // scan lines swept
 };

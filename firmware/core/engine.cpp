@@ -353,13 +353,13 @@ class Engine {
     if (span.face < p_.contours.size() && wants_contours()) {
       job.contours = &p_.contours[span.face];
     }
+    if (job.contours == nullptr) return module.shade(job, options_.shader, y, span.x0, span.x1);
+    const std::uint32_t spans = result_.counters.level_spans;
     const std::uint32_t steps = result_.counters.level_steps;
-    if (job.contours == nullptr || !modules_.contours->shade(job, options_.shader, y, span.x0, span.x1)) {
-      module.shade(job, options_.shader, y, span.x0, span.x1);
-    }
-    if (job.contours == nullptr) return;
+    const bool done = modules_.contours->shade(job, options_.shader, y, span.x0, span.x1);
+    if (!done) module.shade(job, options_.shader, y, span.x0, span.x1);
     job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
-    job.contours->steps = result_.counters.level_steps - steps;
+    job.contours->steps = done ? result_.counters.level_spans - spans : result_.counters.level_steps - steps;
   }
 
   void shade(std::int32_t y) {

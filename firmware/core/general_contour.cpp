@@ -115,7 +115,6 @@ class SpanTracer {
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
     ++job_.counters.level_spans;
-    ++job_.counters.level_steps;
   }
 
   const ShadeJob& job_;
@@ -251,9 +250,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
     }
     a = c;
   }
-  const auto steps = static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
-  job_.counters.level_spans += steps;
-  job_.counters.level_steps += steps;
+  job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
   level_ = rising ? k - 1 : k;
 }
 

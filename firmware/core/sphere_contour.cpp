@@ -145,9 +145,7 @@ class SphereSpan {
     Interval* const end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), first);
     for (const Interval* at = first; at != end; ++at) run.change(*at >> 16, level -= step);
     run.end(x1_);
-    const auto steps = static_cast<std::uint32_t>(2 * (last - nested) + (rise < 0 ? -rise : rise));
-    job_.counters.level_spans += 1 + steps;
-    job_.counters.level_steps += steps;
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + 2 * (last - nested) + (rise < 0 ? -rise : rise));
   }
 
  private:

@@ -51,7 +51,6 @@ class StraightSpan {
     if (from_ <= x1_) run.change(from_, level_);
     run.end(x1_);
     job_.counters.level_spans += runs_;
-    job_.counters.level_steps += runs_;
   }
 
  private:
