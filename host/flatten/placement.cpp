@@ -1,6 +1,7 @@
 #include "host/flatten/placement.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -118,6 +119,19 @@ GroupShapes shapes_of(const Group& group) {
   return shapes;
 }
 
+// Definitions nest a thousand deep, and a matrix on the stack at each would need megabytes of it.
+using HeapMatrix = std::unique_ptr<const Matrix4>;
+
+[[gnu::noinline]] HeapMatrix heap_product(const Matrix4& a, const Matrix4& b) {
+  return std::make_unique<const Matrix4>(product(a, b));
+}
+// nullptr: there is none.
+template <class Transforms>
+[[gnu::noinline]] HeapMatrix heap_inverse(const Transforms& transforms) {
+  const auto inverse = inverse_of(transforms);
+  return inverse ? std::make_unique<const Matrix4>(*inverse) : nullptr;
+}
+
 class Walk {
  public:
   Walk(const BodyCensus& census, Diagnostics& diagnostics) : census_(census), diagnostics_(diagnostics) {}
@@ -172,22 +186,22 @@ class Walk {
 
   void place_one(const InstanceStatement& instance, PlacedGroup& group) {
     if (census_.is_empty(instance.definition)) return;
-    const auto own = inverse_of(instance.transforms);
+    const HeapMatrix own = heap_inverse(instance.transforms);
     if (!own) return report_flat(instance.id, instance.position);
-    place(census_.definition(instance.definition), product(group.inverse, *own), group.path + instance.id + "/");
+    place(census_.definition(instance.definition), *heap_product(group.inverse, *own), group.path + instance.id + "/");
   }
 
   // (init delta^k P)^-1 = P^-1 (delta^-1)^k init^-1 for the parent's P.
   void place_one(const ArrayStatement& array, PlacedGroup& group) {
     if (census_.is_empty(array.definition)) return;
-    const auto first = inverse_of(array.initial);
-    const auto step = inverse_of(array.delta);
+    const HeapMatrix first = heap_inverse(array.initial);
+    const HeapMatrix step = heap_inverse(array.delta);
     if (!first || !step) return report_flat(array.id, array.position);
-    Matrix4 before = group.inverse;
+    auto before = std::make_unique<const Matrix4>(group.inverse);
     for (std::uint32_t k = 0; k < array.count; ++k) {
-      place(census_.definition(array.definition), product(before, *first),
+      place(census_.definition(array.definition), *heap_product(*before, *first),
             group.path + array.id + "[" + std::to_string(k) + "]/");
-      before = product(before, *step);
+      before = heap_product(*before, *step);
     }
   }
 

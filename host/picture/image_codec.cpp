@@ -2,11 +2,19 @@
 
 #include <dlfcn.h>
 
+#include <filesystem>
+
 namespace halfspace {
 namespace {
 
 const ImageCodec* load(std::string& error) {
-  void* const module = dlopen(HALFSPACE_CODEC_MODULE, RTLD_NOW);  // for good
+  // Beside the program, or where it was built.
+  std::error_code no_proc;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", no_proc);
+  const std::filesystem::path built = HALFSPACE_CODEC_MODULE;
+  const auto beside = program.parent_path() / built.filename();
+  void* const module =
+      dlopen((std::filesystem::exists(beside, no_proc) ? beside : built).c_str(), RTLD_NOW);  // for good
   void* const codec = module == nullptr ? nullptr : dlsym(module, "halfspace_image_codec");
   if (codec == nullptr) {
     error = std::string("the module for pictures cannot be loaded (") + dlerror() + "): build it beside the program";
