@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#ifdef HALFSPACE_CODEC_MODULE
+
 namespace halfspace {
 namespace {
 
@@ -31,3 +33,15 @@ const ImageCodec* image_codec(std::string& error) {
 }
 
 }  // namespace halfspace
+
+#else
+
+namespace halfspace {
+
+extern "C" const ImageCodec halfspace_image_codec;
+
+const ImageCodec* image_codec(std::string& /*error*/) { return &halfspace_image_codec; }
+
+}  // namespace halfspace
+
+#endif
