@@ -22,7 +22,7 @@ std::uint64_t second_difference(std::int64_t v2, std::int32_t h) {
 class Divisor {
  public:
   explicit Divisor(std::uint32_t sum)
-      : sum_(std::max(sum, 1U)), zeros_(std::countl_zero(sum_)), inverse_(~0U / (sum_ << zeros_ >> 16)) {}
+      : sum_(std::max<std::uint32_t>(sum, 1)), zeros_(std::countl_zero(sum_)), inverse_(~0U / (sum_ << zeros_ >> 16)) {}
 
   // Whether |v| is at most 1/32 of the sum's square, so that the quotient fits.
   [[nodiscard]] bool divides(std::int64_t v) const {
