@@ -19,13 +19,13 @@ ContourKind straight_or_general(const ShadeJob& job) {
   return ContourKind::straight;
 }
 
-// Instructions of a Cortex-M3 or picoseconds of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r
+// Instructions of a Cortex-M3 or tenths of a nanosecond of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r
 // levels met from dot to dot takes
 //   dot n + run min(r, n)   dot by dot,   span + step r   more than that one's own set-up by general contours
 struct Costs {
   std::uint32_t dot, run, span, step;
 };
-constexpr Costs costs = limb_bits == 32 ? Costs{330, 90, 2000, 200} : Costs{8500, 7000, 300000, 25000};
+constexpr Costs costs = limb_bits == 32 ? Costs{330, 90, 2000, 200} : Costs{85, 70, 3000, 250};
 
 // Whether general contours are cheaper. The last span tells r / n; before there is one, each level is met once.
 bool is_sparse(const ShadeJob& job, std::uint32_t dots) {

@@ -408,7 +408,7 @@ bool is_surely_curved(const ActiveFace& face) {
     sum = sum + term;
     if (!term.is_zero()) most = std::max(most, term.bits());
   }
-  return sum.sign() != 0 && (sum.sign() > 0 ? sum : -sum).bits() > most - 15;
+  return sum.sign() != 0 && sum.bits() > most - 15;  // both are at most a bit too many
 }
 
 // The determinant of D's matrix is c2^2 times the quadric's, up to sign; it is taken from integers, as RootSurface's may be rounded.

@@ -144,7 +144,7 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
   s.waited = 0;
   s.tried = true;
   if (!survey_rulings(job, y, x0, x1)) {
-    s.failures = static_cast<std::uint16_t>(std::min(s.failures + 1, 20));
+    s.failures = static_cast<std::uint16_t>(std::min(s.failures + 1, 16));
     return false;
   }
   s.failures = 0;

@@ -209,10 +209,11 @@ TEST(GeneralContour, TheWidestSpan) {
 }
 
 // Where the chord's ends have different levels, dots as far as its error before a place must still have the one, those beyond the other.
-TEST(LevelChord, PlacesErrByNoMoreThanTheySay) {
+TEST(LevelChord, SaysNoMoreThanHolds) {
   Dice dice(37);
   int places = 0;
   int close = 0;
+  int kept = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     const std::int32_t width = trial % 4 == 0 ? 1000 : 200;
     const Lighting lighting = random_lighting(dice);
@@ -236,9 +237,17 @@ TEST(LevelChord, PlacesErrByNoMoreThanTheySay) {
         const LevelChord chord(line, a, b);
         for (std::int32_t k = job.table.ambient_level + 1; k <= job.table.top_level; ++k) {
           const std::uint64_t square = job.table.squares[static_cast<std::size_t>(k)];
-          if ((row[static_cast<std::size_t>(from)] >= k) == (row[static_cast<std::size_t>(to)] >= k)) continue;
           if (square < 1U << 20) continue;  // its root has too few bits here
           const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2) * 2);
+          for (const int sign : {-1, 1}) {
+            if (!chord.keeps_sign(sign, bar, a.above(bar), b.above(bar))) continue;
+            ++kept;
+            for (std::int32_t x = from; x <= to; ++x) {
+              ASSERT_EQ(row[static_cast<std::size_t>(x)] >= k, sign > 0)
+                  << "trial " << trial << " level " << k << " dot " << x;
+            }
+          }
+          if ((row[static_cast<std::size_t>(from)] >= k) == (row[static_cast<std::size_t>(to)] >= k)) continue;
           const LevelPlace place = chord.place(bar, a.above(bar), b.above(bar));
           if (place.error == LevelPlace::unknown) continue;
           ++places;
@@ -257,6 +266,7 @@ TEST(LevelChord, PlacesErrByNoMoreThanTheySay) {
   }
   EXPECT_GT(places, 1500);
   EXPECT_GT(close * 2, places);
+  EXPECT_GT(kept, 10 * places);
 }
 
 // The point of it: few dots of a large face are asked for themselves.
