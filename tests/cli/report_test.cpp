@@ -1,94 +1,10 @@
-// report_test.cpp - `halfspace report --quick`: rows with figures, exact shaders without a wrong dot, and folders that are refused.
-#include <cstdlib>
-#include <map>
-#include <sstream>
-
-#include "host/report/shader_list.hpp"
+// report_test.cpp - `halfspace report`: folders that are refused.
 #include "tests/cli/cli_fixture.hpp"
 
 namespace halfspace::testing {
 namespace {
 
-// With the address sanitizer a report takes minutes, and valgrind does not run at all.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool too_slow = true;
-#else
-constexpr bool too_slow = false;
-#endif
-
-using Line = std::map<std::string, std::string>;  // column, cell
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells(1);
-  for (const char c : line) {
-    if (c == ',') {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
-std::vector<Line> read_csv(const std::vector<std::uint8_t>& bytes) {
-  std::istringstream in(std::string(bytes.begin(), bytes.end()));
-  std::string line;
-  std::getline(in, line);
-  const std::vector<std::string> titles = split(line);
-  std::vector<Line> lines;
-  while (std::getline(in, line)) {
-    const std::vector<std::string> cells = split(line);
-    EXPECT_EQ(cells.size(), titles.size()) << line;
-    Line& last = lines.emplace_back();
-    for (std::size_t i = 0; i < std::min(cells.size(), titles.size()); ++i) last[titles[i]] = cells[i];
-  }
-  return lines;
-}
-
-double number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  EXPECT_TRUE(!text.empty() && *end == '\0') << text;
-  return value;
-}
-
-class Report : public CommandLine {
- protected:
-  [[nodiscard]] std::string text(const std::string& name) const {
-    const auto bytes = folder_.read(name);
-    return {bytes.begin(), bytes.end()};
-  }
-};
-
-TEST_F(Report, QuickHasFiguresAndNoWrongDotWhereNoneIsPromised) {
-  if (too_slow) GTEST_SKIP();
-  const Outcome outcome = halfspace({"report", "--quick", "-o", "new/report"});
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  std::map<std::string, int> rows, suites;
-  for (const Line& line : read_csv(folder_.read("new/report/results.csv"))) {
-    const std::string name = line.at("renderer") + " " + line.at("shader");
-    ++rows[name];
-    ++suites[line.at("suite")];
-    EXPECT_GT(number(line.at("shaded_dots")), 0);
-    EXPECT_GE(number(line.at("wrong_dots")), 0);
-    if (line.at("renderer") != "Halfspace") continue;
-    (void)number(line.at("ns_per_dot"));
-    EXPECT_GT(number(line.at("instructions_per_dot")), 0);
-    for (const ListedShader& shader : listed_shaders) {
-      if (!shader.exact || line.at("shader") != shader.name) continue;
-      EXPECT_EQ(line.at("wrong_dots"), "0") << name;
-    }
-  }
-  for (const ListedShader& shader : listed_shaders) EXPECT_EQ(rows["Halfspace " + std::string(shader.name)], 12);
-  EXPECT_EQ(rows["POV-Ray "], 2);
-  EXPECT_EQ(rows["Raster3D "], 2);
-  EXPECT_EQ(suites.size(), 4U);
-  EXPECT_NE(text("new/report/README.md").find("| clover_knot | 64 x 51 | POV-Ray | contour |"), std::string::npos);
-  EXPECT_NE(text("new/report/error.svg").find("</svg>"), std::string::npos);
-  EXPECT_EQ(text("new/report/README.md").find("Left out"), std::string::npos) << outcome.err;
-  EXPECT_NE(text("new/report/instructions.svg").find("</svg>"), std::string::npos);
-  EXPECT_NE(text("new/report/resolution.svg").find("</svg>"), std::string::npos);
-}
+using Report = CommandLine;
 
 TEST_F(Report, FileAsFolder) {
   write("report", "");
@@ -102,23 +18,6 @@ TEST_F(Report, FolderWithoutPermission) {
       run({.arguments = {"report", "--quick", "-o", "closed"}, .folder = folder_ / ".", .obeys_permissions = true});
   std::filesystem::permissions(folder_ / "closed", std::filesystem::perms::owner_all);
   expect_refusal(outcome, 3, {"closed: cannot be written", "-o"}, {"closed"});
-}
-
-TEST_F(Report, MissingProgramsAreTold) {
-  if (too_slow) GTEST_SKIP();
-  std::filesystem::create_directory(folder_ / "empty");
-  const Outcome outcome =
-      run({.arguments = {"report", "--quick", "-o", "out"}, .folder = folder_ / ".", .path = folder_ / "empty"});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* told :
-       {"apt-get install valgrind", "apt-get install povray", "apt-get install raster3d", "apt-get install gnuplot"}) {
-    EXPECT_NE(outcome.err.find(told), std::string::npos) << told;
-    EXPECT_NE(text("out/README.md").find(told), std::string::npos) << told;
-  }
-  for (const Line& line : read_csv(folder_.read("out/results.csv"))) {
-    EXPECT_EQ(line.at("renderer"), "Halfspace");
-    EXPECT_EQ(line.at("instructions_per_dot"), "");
-  }
 }
 
 }  // namespace
