@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "firmware/core/root_surface.hpp"
+
 namespace halfspace {
 namespace {
 
 ContourKind kind_of(const ShadeJob& job) {
-  if (job.face.kind != FaceKind::root) return ContourKind::none;
+  if (job.face.kind != FaceKind::root) {
+    return has_polynomial_normal(job.face, job.lighting) ? ContourKind::general : ContourKind::none;
+  }
   if (has_sphere_contours(job)) return ContourKind::sphere;
   if (has_wide_coefficients(job.face)) return ContourKind::none;
   return is_surely_curved(job.face) ? ContourKind::general : ContourKind::almost_ruled;

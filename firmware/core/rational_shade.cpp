@@ -6,6 +6,7 @@
 #include <array>
 
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/root_surface.hpp"
 #include "firmware/core/stride.hpp"
 
 namespace halfspace {
@@ -165,6 +166,17 @@ void shade_rational_span(const ShadeJob& job, Shader shader, std::int32_t y, std
   });
 }
 
-const FaceModule rational_faces{[](ActiveFace&, const Lighting&) {}, &shade_rational_span};
+namespace {
+
+// For contours.
+void enter(ActiveFace& face, const Lighting& lighting) {
+  if (!has_polynomial_normal(face, lighting)) return;
+  make_discriminant(face);
+  make_root_surface(face, lighting);
+}
+
+}  // namespace
+
+const FaceModule rational_faces{&enter, &shade_rational_span};
 
 }  // namespace halfspace

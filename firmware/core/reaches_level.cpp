@@ -51,7 +51,7 @@ bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int
   const ActiveFace& face = job.face;
   if (k <= job.table.ambient_level) return true;
   if (k > job.table.top_level) return false;
-  if (face.kind == FaceKind::root) {
+  if (face.kind == FaceKind::root || has_polynomial_normal(face, job.lighting)) {
     const int sign = sign_of_level(job, lit_dot(face.surface, x - face.origin_x, y - face.origin_y), k);
     if (sign != 0) return sign > 0;
   }

@@ -128,18 +128,22 @@ class Maker {
     sum[5] += p[2] * q[2];
   }
 
+  [[nodiscard]] Int scale() const { return f_.kind == FaceKind::rational ? Int(1) : Int(f_.c[2]); }
+
   // a * gradient_j = u + v sqrt(D): row_j a - slope b + slope s sqrt(D).
   [[nodiscard]] Component gradient(int j) const {
     static constexpr std::uint8_t row[4][4] = {{0, 3, 6, 5}, {3, 1, 7, 4}, {5, 4, 8, 2}, {6, 7, 9, 8}};
     static constexpr std::uint8_t b[3] = {5, 4, 8};
+    const Int a = scale();
     const Int slope(f_.c[row[j][3]]);
     Component g;
-    for (int i = 0; i < 3; ++i) g.u[i] = Int(f_.c[2]) * Int(f_.c[row[j][i]]) - slope * Int(f_.c[b[i]]);
+    for (int i = 0; i < 3; ++i) g.u[i] = a * Int(f_.c[row[j][i]]) - slope * Int(f_.c[b[i]]);
     g.v = f_.sheet < 0 ? -slope : slope;
     return g;
   }
 
   [[nodiscard]] ExactQuadratic discriminant() const {
+    if (f_.kind == FaceKind::rational) return {Int(), Int(), Int(), Int(), Int(), Int(1)};
     const Int a(f_.c[2]);
     const ExactLinear b{Int(f_.c[5]), Int(f_.c[4]), Int(f_.c[8])};
     ExactQuadratic d{};
@@ -163,6 +167,12 @@ void make_discriminant(ActiveFace& face) {
   } else {
     Maker<256>(face).make_discriminant(face.surface.discriminant);
   }
+}
+
+bool has_polynomial_normal(const ActiveFace& face, const Lighting& lighting) {
+  return face.kind == FaceKind::rational && face.c[4].is_zero() && face.c[5].is_zero() &&
+         std::all_of(std::begin(lighting.matrix), std::end(lighting.matrix),
+                     [](const auto& row) { return row[3] == 0; });
 }
 
 NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting) {

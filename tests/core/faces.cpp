@@ -63,6 +63,7 @@ TestFace make_face(FaceKind kind, const std::array<mpz_class, 10>& c, std::array
   a.light_sign = static_cast<std::int8_t>(light_sign);
   make_depth(a);
   if (kind == FaceKind::root) make_root_surface(a, lighting);
+  if (kind == FaceKind::rational) rational_faces.enter(a, lighting);
   return face;
 }
 

@@ -7,6 +7,7 @@
 #include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
 #include "firmware/core/ridge_form.hpp"
+#include "firmware/core/root_surface.hpp"
 #include "tests/core/faces.hpp"
 
 namespace halfspace {
@@ -35,7 +36,8 @@ class Canvas {
   }
   Row dots(const TestFace& face, const ExactModule& exact, std::int32_t y, DotRun run) {
     return shade(face, exact, y, run, [](const ShadeJob& job, std::int32_t line, DotRun dots) {
-      shade_root_span(job, Shader::isqrt, line, dots.x0, dots.x1);
+      const auto shade_span = job.face.kind == FaceKind::root ? &shade_root_span : &shade_rational_span;
+      shade_span(job, Shader::isqrt, line, dots.x0, dots.x1);
     });
   }
   template <class Shade>
@@ -112,6 +114,32 @@ TEST(GeneralContour, RandomCoefficientsOfEverySize) {
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
   EXPECT_GT(tally.dots, 50000U);
+}
+
+// Depths that are polynomials, such as a paraboloid's seen along its axis, against exact arithmetic by way of the dot by dot shader.
+TEST(GeneralContour, FacesWithPolynomialNormals) {
+  Dice dice(39);
+  Tally tally;
+  for (int trial = 0; trial < 3000; ++trial) {
+    Lighting lighting = random_lighting(dice);
+    for (auto& row : lighting.matrix) row[3] = 0;
+    const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
+    std::array<mpz_class, 10> c;
+    const int bits = static_cast<int>(between(dice, 1, 75));
+    for (const int i : {0, 1, 3, 6, 7, 8, 9}) c[static_cast<std::size_t>(i)] = random_bits(dice, bits);
+    if (trial % 2 == 0) {  // as steep as the page is wide, so that many levels are met
+      for (const int i : {6, 7, 8}) c[static_cast<std::size_t>(i)] *= width;
+      c[9] *= width * width;
+    }
+    const TestFace face = make_face(FaceKind::rational, c, {between(dice, 0, width), between(dice, 0, width), 0}, 0,
+                                    dice() % 2 == 0 ? -1 : 1, 0, lighting);
+    ASSERT_TRUE(has_polynomial_normal(face.active, lighting));
+    const auto y = static_cast<std::int32_t>(between(dice, 0, width - 1));
+    expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+  }
+  EXPECT_GT(tally.dots, 100000U);
+  EXPECT_LT(tally.asked * 4, tally.dots);
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
