@@ -1,6 +1,7 @@
 #include "firmware/core/ruling_survey.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "firmware/core/contour.hpp"
@@ -34,6 +35,15 @@ struct Outline {
   [[nodiscard]] Product product(int i, int j, int k) const { return product(i, j) * Product(q[k]); }
   // 0 where rulings are parallel; the common point times it is (pole_x(), pole_y()).
   [[nodiscard]] Product spread() const { return (product(0, 2) << 2) - product(1, 1); }
+  // Of D's matrix, four times.
+  [[nodiscard]] std::array<Product, 5> determinant_terms() const {
+    return {product(0, 2, 5) << 2, product(1, 3, 4), -product(0, 4, 4), -product(2, 3, 3), -product(5, 1, 1)};
+  }
+  [[nodiscard]] Product determinant() const {
+    Product sum;
+    for (const Product& term : determinant_terms()) sum += term;
+    return sum;
+  }
   [[nodiscard]] Product pole_x() const { return product(1, 4) - (product(2, 3) << 1); }
   [[nodiscard]] Product pole_y() const { return product(1, 3) - (product(0, 4) << 1); }
 };
@@ -43,21 +53,24 @@ struct Outline {
 // Through the ruling at dot x of the line, counted from a dot of it: x + (slope + spread x) lines.
 struct Pencil {
   Real slope, spread;
+  Real excess;  // D where rulings meet: a cone's is 0
 };
 
 // Dot (x, y) of the face's frame is on the surveyed line.
-Pencil parallels(const Outline& outline) { return {-Real(outline.q[1], 0) / Real(outline.q[0] << 1, 0), {}}; }
+Pencil parallels(const Outline& outline) { return {-Real(outline.q[1], 0) / Real(outline.q[0] << 1, 0), {}, {}}; }
 // Through the centre of D = 0, the apex's image.
 Pencil through_centre(const Outline& outline, std::int32_t x, std::int32_t y) {
   const Product spread = outline.spread();
   const Real below(spread.times(y) - outline.pole_y(), 0);
-  return {Real(spread.times(x) - outline.pole_x(), 0) / below, Real(spread, 0) / below};
+  return {Real(spread.times(x) - outline.pole_x(), 0) / below, Real(spread, 0) / below,
+          Real(outline.determinant(), 0) / Real(spread, 0)};
 }
 
 // To within what a cone, whose apex lies so far off, has in common with a cylinder.
 bool is_parallel(const Outline& outline) {
-  return outline.spread().bit_length() <= outline.product(1, 1).bit_length() - 24 ||
-         outline.spread().bit_length() <= outline.product(0, 2).bit_length() - 24;
+  const int spread = outline.spread().bit_length();
+  return spread == 0 || spread <= outline.product(1, 1).bit_length() - 24 ||
+         spread <= outline.product(0, 2).bit_length() - 24;
 }
 
 // Of the lines that a survey is to hold for. Where a cone grows much over them, a power of their number over the growth is as small as if
@@ -72,23 +85,24 @@ struct Form {
   Real at, x, y, xx, xy, yy;
 };
 
-// Along the rulings a cone's form grows as 1 + spread lines, or as its square, and there is no more of it. What another has,
-//   lines (linear + bend x) + lines^2 (square + spread bend x)  or  lines linear,
-// as far as the survey is to hold, becomes an error of the form on the line; divided by that growth, 1/4 at least, it is at most 16 and
-// 4 times so much.
-void hold_on_all_lines(Form& f, const Pencil& p) {
+// Along the rulings a cone's forms grow, N's as 1 + g with g = spread lines, D as its square, and a cylinder's stay. What a form has
+// beside that, as far as the survey is to hold, becomes an error of the form on the line; growth is divided out, and g >= -3/4.
+
+// lines (linear + bend x) + lines^2 square
+void hold_along_parallels(Form& d, const Pencil& p) {
   const int lines = line_bits_of(p);
-  const int growth = p.spread.is_zero() ? 0 : 4;
-  const Real linear = f.x * p.slope + f.y - (f.at * p.spread + f.at * p.spread);
-  const Real bend = (f.xx + f.xx) * p.slope + f.xy - f.x * p.spread;
-  const Real square = (f.xx * p.slope + f.xy) * p.slope + f.yy - f.at * p.spread * p.spread;
-  f.at = f.at.blurred(linear, lines + growth).blurred(square, 2 * lines + growth);
-  f.x = f.x.blurred(bend, lines + growth).blurred(bend * p.spread, 2 * lines + growth);
+  const Real linear = d.x * p.slope + d.y;
+  const Real bend = (d.xx + d.xx) * p.slope + d.xy;
+  const Real square = (d.xx * p.slope + d.xy) * p.slope + d.yy;
+  d.at = d.at.blurred(linear, lines).blurred(square, 2 * lines);
+  d.x = d.x.blurred(bend, lines);
 }
-void hold_linear_on_all_lines(Form& f, const Pencil& p) {
-  const int lines = line_bits_of(p);
-  const int growth = p.spread.is_zero() ? 0 : 2;
-  f.at = f.at.blurred(f.x * p.slope + f.y - f.at * p.spread, lines + growth);
+// About the centre D is of second degree but for the excess, which should grow as well: 1 - 1 / (1 + g)^2 is at most 2 g, or 32 |g| where
+// g < 0.
+void hold_through_centre(Form& d, const Pencil& p) { d.at = d.at.blurred(p.excess * p.spread, line_bits_of(p) + 5); }
+// lines linear, divided by 1/4 at least.
+void hold_on_all_lines(Form& n, const Pencil& p) {
+  n.at = n.at.blurred(n.x * p.slope + n.y - n.at * p.spread, line_bits_of(p) + (p.spread.is_zero() ? 0 : 2));
 }
 
 Form form_of(const Outline& outline, std::int32_t x, std::int32_t y) {
@@ -105,7 +119,7 @@ Form form_of(const Outline& outline, std::int32_t x, std::int32_t y) {
 CrossLine cross_line(const ShadeJob& job, const Outline& outline, const Pencil& pencil, std::int32_t x,
                      std::int32_t y) {
   Form d = form_of(outline, x, y);
-  hold_on_all_lines(d, pencil);
+  pencil.spread.is_zero() ? hold_along_parallels(d, pencil) : hold_through_centre(d, pencil);
   CrossLine line;
   line.d0 = d.xx;
   line.d1 = d.x;
@@ -114,7 +128,7 @@ CrossLine cross_line(const ShadeJob& job, const Outline& outline, const Pencil& 
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& u = forms.u[i];
     Form n{Real(u[0].times(x) + u[1].times(y) + u[2], 0), Real(u[0], 0), Real(u[1], 0), {}, {}, {}};
-    hold_linear_on_all_lines(n, pencil);
+    hold_on_all_lines(n, pencil);
     const bool reversed = job.face.light_sign < 0;
     line.normal[i] = reversed ? -n.at : n.at;
     line.normal_step[i] = reversed ? -n.x : n.x;
@@ -415,15 +429,14 @@ bool is_surely_curved(const ActiveFace& face) {
 // What it is above 0 for, such as a cylinder written in decimals, cross_line() makes an error.
 bool has_straight_contours(const ShadeJob& job) {
   const Outline d(job.face);
-  const Product terms[5] = {d.product(0, 2, 5) << 2, d.product(1, 3, 4), -d.product(0, 4, 4), -d.product(2, 3, 3),
-                            -d.product(5, 1, 1)};
+  const std::array<Product, 5> terms = d.determinant_terms();
   Product sum;
   int most = 0;
   for (const Product& term : terms) {
     sum += term;
     most = std::max(most, term.bit_length());
   }
-  return sum.bit_length() <= most - 16;
+  return sum.is_zero() || sum.bit_length() <= most - 16;
 }
 
 bool has_wide_coefficients(const ActiveFace& face) {
