@@ -165,18 +165,6 @@ void make_discriminant(ActiveFace& face) {
   }
 }
 
-NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting) {
-  const NormalMatrix matrix = normal_matrix(face, lighting);
-  const Maker<256> maker(face);
-  NormalForms forms;
-  for (int i = 0; i < 3; ++i) {
-    const auto component = maker.normal(matrix[i]);
-    forms.u[i] = component.u;
-    forms.v[i] = component.v;
-  }
-  return forms;
-}
-
 void make_root_surface(ActiveFace& face, const Lighting& lighting) {
   const NormalMatrix matrix = normal_matrix(face, lighting);
   if (bits_needed(face, matrix) <= 256) {

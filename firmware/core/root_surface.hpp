@@ -16,14 +16,6 @@ inline constexpr int coordinate_bits = 17;
 inline constexpr int quadratic_error_bits = 2 * (coordinate_bits + 2);
 inline constexpr int linear_error_bits = coordinate_bits + 2;
 
-// N = u + v sqrt(D) component by component, exact: u[i] = (x, y, 1)'s factors.
-struct NormalForms {
-  std::array<std::array<Wide<256>, 3>, 3> u;
-  std::array<Wide<256>, 3> v;
-};
-// For coefficients of at most 80 bits and factors of the normals' matrix of at most 90.
-[[nodiscard]] NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting);
-
 void make_discriminant(ActiveFace& face);
 // After that.
 void make_root_surface(ActiveFace& face, const Lighting& lighting);

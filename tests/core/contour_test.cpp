@@ -50,9 +50,9 @@ class Contours {
       painter.begin(y);
       const ShadeJob job{face.active, lighting_, table_, exact, painter, counters, 1, &contours, scratch_};
       const std::vector<DotRun> runs = runs_of(face, y, page_.width);
-      const bool all = has_straight_contours(job) && std::all_of(runs.begin(), runs.end(), [&](const DotRun& run) {
-                         return straight_contour(job, y, run.x0, run.x1);
-                       });
+      const bool all = has_straight_contours(face.active) &&
+                       std::all_of(runs.begin(), runs.end(),
+                                   [&](const DotRun& run) { return straight_contour(job, y, run.x0, run.x1); });
       lines += all ? 0 : 1;
     }
     return lines;
@@ -234,12 +234,16 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
   EXPECT_GT(straight, 60U);
 }
 
+Lighting plain_lighting() {
+  Lighting l;
+  for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
+  l.light = {9000, -14000, -20000};
+  l.unit = l.parallel = 1 << 16;
+  return l;
+}
+
 int lines_not_straight(const std::array<mpz_class, 10>& c, std::int32_t side) {
-  Lighting lighting;
-  for (int i = 0; i < 3; ++i) lighting.matrix[i][i] = 1 << 14;
-  lighting.light = {9000, -14000, -20000};
-  lighting.unit = 1 << 16;
-  lighting.parallel = lighting.unit;
+  const Lighting lighting = plain_lighting();
   const TestFace face = make_face(FaceKind::root, c, {side / 2, side / 2, 0}, -1, 1, 0, lighting);
   const ExactModule* exact = exact_for({&face}, lighting, 65, side);
   return exact == nullptr ? side : Contours(lighting, 65, side, side).lines_not_straight(face, *exact);
@@ -256,6 +260,19 @@ TEST(StraightContour, DeclinesFewLines) {
   std::array<mpz_class, 10> rounded = cone;
   for (mpz_class& k : rounded) k = (k << 40) + 3;
   EXPECT_LT(lines_not_straight(rounded, 600), 16);
+}
+
+// D is a square on the line through an apex.
+TEST(StraightContour, KnowsTheLineWithACorner) {
+  const auto corner_line = [](const std::array<mpz_class, 10>& c) {
+    const TestFace face = make_face(FaceKind::root, c, {100, 200, 0}, -1, 1, 0, plain_lighting());
+    return corner_line_of(face.active, 130, 160);
+  };
+  EXPECT_EQ(corner_line({-2, -3, 9, 0, 0, 1, 0, 0, 0, 0}), 200);                // 9 z^2 + 2 x z = 2 x^2 + 3 y^2
+  EXPECT_EQ(corner_line({-2, -3, 9, 0, 0, 1, 0, 21, 0, -147}), 207);            // its apex 7 lines on
+  EXPECT_EQ(corner_line({-32, -48, 144, 0, 0, 16, 8, -24, -4, -14}), no_line);  // half a line on, a quarter of a dot
+  EXPECT_EQ(corner_line({1, 0, 1, 0, 0, 0, 0, 0, 0, -22500}), no_line);         // x^2 + z^2 = 150^2
+  EXPECT_EQ(corner_line({-1, 0, 1, 0, 0, 0, 0, 0, 0, 0}), all_lines);           // z^2 = x^2
 }
 
 }  // namespace
