@@ -13,13 +13,8 @@ ContourKind kind_of(const ShadeJob& job) {
   }
   if (has_sphere_contours(job)) return ContourKind::sphere;
   if (has_wide_coefficients(job.face)) return ContourKind::none;
-  return is_surely_curved(job.face) ? ContourKind::general : ContourKind::almost_ruled;
-}
-
-ContourKind straight_or_general(const ShadeJob& job) {
-  if (!has_straight_contours(job)) return ContourKind::general;
+  if (!has_straight_contours(job.face)) return ContourKind::general;
   if (job.contours->block.empty()) ++job.counters.crowded_faces;
-  job.contours->kinked_line = kinked_line_of(job.face);
   return ContourKind::straight;
 }
 
@@ -39,50 +34,35 @@ bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
   return costs.span + costs.step * steps < costs.dot * dots + costs.run * std::min(steps, dots);
 }
 
-// To find out whether a face is ruled costs as much as some 70 dots: so it has to have ten times as many, or a span which shows that it
-// will.
-bool is_small_yet(FaceContours& face, std::uint32_t dots) {
-  constexpr std::uint32_t least = 700;
-  face.waited += dots;
-  return face.waited < least && dots * dots < least;
-}
-
-bool is_kinked(const FaceContours& face, std::int32_t y) {
-  return face.kinked_line == y || face.kinked_line == all_lines;
+// Of a face with straight contours.
+bool has_corner(const ShadeJob& job, std::int32_t y, std::int32_t x) {
+  if (job.contours->kind != ContourKind::straight) return false;
+  std::int32_t& line = job.contours->corner_line;
+  if (line == unknown_line) line = corner_line_of(job.face, x, y);
+  return line == y || line == all_lines;
 }
 
 bool shade_by_general(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   if (shader != Shader::contour && !is_sparse(job, static_cast<std::uint32_t>(x1 - x0 + 1))) return false;
-  return general_contour(job, y, x0, x1);
+  return !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
 }
 
 bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   switch (job.contours->kind) {
     case ContourKind::none:
-    case ContourKind::almost_ruled:
       return false;
     case ContourKind::sphere:
       return sphere_contour(job, y, x0, x1) || shade_by_general(job, shader, y, x0, x1);
     case ContourKind::straight:
-      return straight_contour(job, y, x0, x1) ||
-             (!is_kinked(*job.contours, y) && shade_by_general(job, shader, y, x0, x1));
+      return straight_contour(job, y, x0, x1) || shade_by_general(job, shader, y, x0, x1);
     default:
       return shade_by_general(job, shader, y, x0, x1);
   }
 }
 
-// As far as that pays.
-void find_kind(const ShadeJob& job, Shader shader, std::uint32_t dots) {
-  FaceContours& face = *job.contours;
-  if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
-  if (face.kind == ContourKind::almost_ruled && (shader == Shader::contour || !is_small_yet(face, dots))) {
-    face.kind = straight_or_general(job);
-  }
-}
-
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
-  if (job.contours->kind <= ContourKind::almost_ruled) find_kind(job, shader, dots);
+  if (job.contours->kind == ContourKind::unknown) job.contours->kind = kind_of(job);
   const bool done = shade_by(job, shader, y, x0, x1);
   if (done) job.counters.contour_dots += dots;
   return done;

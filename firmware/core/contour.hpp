@@ -18,14 +18,18 @@
 
 namespace halfspace {
 
-enum class ContourKind : std::uint8_t { unknown, almost_ruled, none, sphere, straight, general };
+enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general };
 
-// What a face keeps while it is active; made on the first span that asks. All zero: nothing known yet.
+// For a line of the page.
+inline constexpr std::int32_t unknown_line = std::numeric_limits<std::int32_t>::min();
+inline constexpr std::int32_t no_line = unknown_line + 1;
+inline constexpr std::int32_t all_lines = std::numeric_limits<std::int32_t>::max();
+
+// What a face keeps while it is active; made on the first span that asks.
 struct FaceContours {
   ContourKind kind = ContourKind::unknown;
-  std::int32_t kinked_line = 0;       // of a straight one
-  std::uint32_t waited = 0;           // dots shaded before its kind was asked for
-  std::uint32_t dots = 0, steps = 0;  // of the last span: levels met from dot to dot
+  std::int32_t corner_line = unknown_line;  // of a straight one, once it matters
+  std::uint32_t dots = 0, steps = 0;        // of the last span: levels met from dot to dot
   SphereContours sphere;
   StraightContours straight;
   std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
@@ -33,15 +37,12 @@ struct FaceContours {
 
 // Whether the face is of the kind; sphere_contour's registers are made on the way.
 [[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
-[[nodiscard]] bool has_straight_contours(const ShadeJob& job);
-// A quick look: whether has_straight_contours() is sure to say no.
-[[nodiscard]] bool is_surely_curved(const ActiveFace& face);
+[[nodiscard]] bool has_straight_contours(const ActiveFace& face);
 // Whether they take more than 80 bits: then neither the above nor the next can be told.
 [[nodiscard]] bool has_wide_coefficients(const ActiveFace& face);
-// The line through the apex of a face with straight contours: D is a square there, its root has a corner and |N| a zero.
-inline constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::min();
-inline constexpr std::int32_t all_lines = std::numeric_limits<std::int32_t>::max();
-[[nodiscard]] std::int32_t kinked_line_of(const ActiveFace& face);
+// The line on which D may be a square, as through the apex of a face with straight contours: its root has a corner there and |N| a zero.
+// Told from dot (x, y) of the face.
+[[nodiscard]] std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);

@@ -72,19 +72,14 @@ std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& va
 bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting) {
   const Real ss = a.s * b.s;
   const Real polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
-  // polar + ss and polar - ss: one of them without cancellation, the other by their product polar^2 - ss^2.
+  // polar + ss without cancellation: where it has one, by way of polar - ss and their product polar^2 - ss^2.
   const Real width = b.x - a.x;
   const Real product = (line.d1.half() * line.d1.half() - line.d0 * line.d2) * width * width;
-  const bool is_convex = polar.sign() < 0;
-  const Real sure = is_convex ? polar - ss : polar + ss;
-  const Real other = product / sure;
-  const Real& whole = is_convex ? other : sure;
-  const Real& rest = is_convex ? sure : other;
+  const Real whole = polar.sign() < 0 ? product / (polar - ss) : polar + ss;
   if (whole.sign() <= 0) return false;
-  const Real kappa = Real(1) / (whole + whole).root();
-  const Real weight_a = kappa * a.s;
-  const Real weight_b = kappa * b.s;
-  const Real lift = kappa * rest;  // kappa T = weight_b A + weight_a B + lift along s
+  const Real root = (whole + whole).root();
+  const Real kappa = Real(1) / root;
+  const Real height = root.half();  // of kappa T along s: kappa (P + sA sB)
 
   RealVector na;
   RealVector nb;
@@ -94,9 +89,11 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
   const Real length = Real(light_squared).root();
   for (std::size_t i = 0; i < 3; ++i) {
-    na[i] = line.normal[i] + line.normal_step[i] * a.x + line.normal_root[i] * a.s;
-    nb[i] = line.normal[i] + line.normal_step[i] * b.x + line.normal_root[i] * b.s;
-    nt[i] = weight_b * na[i] + weight_a * nb[i] + lift * line.normal_root[i];
+    const Real flat_a = line.normal[i] + line.normal_step[i] * a.x;
+    const Real flat_b = line.normal[i] + line.normal_step[i] * b.x;
+    na[i] = flat_a + line.normal_root[i] * a.s;
+    nb[i] = flat_b + line.normal_root[i] * b.s;
+    nt[i] = kappa * (b.s * flat_a + a.s * flat_b) + height * line.normal_root[i];
     towards[i] = Real(lighting.light[i]) / length;
   }
   const Real l0 = dot(towards, na);
@@ -121,7 +118,8 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   const Real quarter = Real(1).half().half();
   const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
   std::array<std::int64_t, 2> weights{};
-  const std::array<Real, 2> both{weight_a + weight_a, weight_a + weight_a + weight_b + weight_b};
+  const Real twice = kappa + kappa;
+  const std::array<Real, 2> both{twice * a.s, twice * (a.s + b.s)};
   // A place's divisor is at least weight_ sigma tau, and 1/2.
   const int steepness = bits_of(both);
   if (steepness > most_weight_bits) return false;

@@ -175,18 +175,6 @@ bool has_polynomial_normal(const ActiveFace& face, const Lighting& lighting) {
                      [](const auto& row) { return row[3] == 0; });
 }
 
-NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting) {
-  const NormalMatrix matrix = normal_matrix(face, lighting);
-  const Maker<256> maker(face);
-  NormalForms forms;
-  for (int i = 0; i < 3; ++i) {
-    const auto component = maker.normal(matrix[i]);
-    forms.u[i] = component.u;
-    forms.v[i] = component.v;
-  }
-  return forms;
-}
-
 void make_root_surface(ActiveFace& face, const Lighting& lighting) {
   const NormalMatrix matrix = normal_matrix(face, lighting);
   if (bits_needed(face, matrix) <= 256) {

@@ -17,14 +17,6 @@ inline constexpr int coordinate_bits = 17;
 inline constexpr int quadratic_error_bits = 2 * (coordinate_bits + 2);
 inline constexpr int linear_error_bits = coordinate_bits + 2;
 
-// N = u + v sqrt(D) component by component, exact: u[i] = (x, y, 1)'s factors.
-struct NormalForms {
-  std::array<std::array<Wide<256>, 3>, 3> u;
-  std::array<Wide<256>, 3> v;
-};
-// For coefficients of at most 80 bits and factors of the normals' matrix of at most 90.
-[[nodiscard]] NormalForms normal_forms(const ActiveFace& face, const Lighting& lighting);
-
 void make_discriminant(ActiveFace& face);
 // Whether z is a polynomial and its normal's matrix does not ask for z: then N is linear in x and y.
 [[nodiscard]] bool has_polynomial_normal(const ActiveFace& face, const Lighting& lighting);

@@ -1,6 +1,7 @@
 #include "firmware/core/ruling_survey.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "firmware/core/contour.hpp"
@@ -11,53 +12,90 @@
 namespace halfspace {
 namespace {
 
-// --- the face: D before anything was rounded ---
+// --- the face about a point ---
 
-// From coefficients of c bits those of D have at most 2c + 2, and its values 34 more.
+// Coefficients of more would not fit 128 bits about another point.
 constexpr int most_coefficient_bits = 80;
-using Coefficient = Wide<256>;
-using Product = Wide<512>;  // of three, and three bits for a sum
 
-struct Outline {
-  Coefficient q[6];
-
-  explicit Outline(const ActiveFace& f) {
-    const auto product = [&f](int i, int j) { return Coefficient(f.c[i]) * Coefficient(f.c[j]); };
-    q[0] = product(5, 5) - product(2, 0);
-    q[1] = (product(5, 4) - product(2, 3)) << 1;
-    q[2] = product(4, 4) - product(2, 1);
-    q[3] = (product(5, 8) - product(2, 6)) << 1;
-    q[4] = (product(4, 8) - product(2, 7)) << 1;
-    q[5] = product(8, 8) - product(2, 9);
-  }
-  [[nodiscard]] Product product(int i, int j) const { return Product(q[i]) * Product(q[j]); }
-  [[nodiscard]] Product product(int i, int j, int k) const { return product(i, j) * Product(q[k]); }
-  // 0 where rulings are parallel; the common point times it is (pole_x(), pole_y()).
-  [[nodiscard]] Product spread() const { return (product(0, 2) << 2) - product(1, 1); }
-  [[nodiscard]] Product pole_x() const { return product(1, 4) - (product(2, 3) << 1); }
-  [[nodiscard]] Product pole_y() const { return product(1, 3) - (product(0, 4) << 1); }
+// A face's coefficients about a point of the page, as in face.hpp.
+struct Quadric {
+  std::array<Real, 10> c;
+  std::array<Real, 3> point;
 };
+
+Quadric about_origin(const ActiveFace& face) {
+  Quadric q;
+  for (std::size_t i = 0; i < 10; ++i) q.c[i] = Real(face.c[i], 0);
+  return q;
+}
+// About page dot (x, y), at the whole depth nearest to the middle of the two sheets: there D, of two squares, cancels to those of less
+// than a dot only.
+Quadric about_dot(const ActiveFace& face, std::int32_t page_x, std::int32_t page_y) {
+  const std::int32_t x = page_x - face.origin_x;
+  const std::int32_t y = page_y - face.origin_y;
+  const auto& f = face.c;
+  const Wide<128> b = f[5].times(x) + f[4].times(y) + f[8];
+  const Real middle = -Real(b, 0) / Real(f[2], 0);
+  const std::int32_t z = middle.bits() < coordinate_bits ? static_cast<std::int32_t>(middle.fixed(0)) : 0;
+  const Wide<128> w[3] = {f[0].times(x) + f[3].times(y) + f[5].times(z) + f[6],
+                          f[3].times(x) + f[1].times(y) + f[4].times(z) + f[7], b + f[2].times(z)};
+  Quadric q = about_origin(face);
+  q.c[9] = Real((w[0] + f[6]).times(x) + (w[1] + f[7]).times(y) + (w[2] + f[8]).times(z) + f[9], 0);
+  for (std::size_t i = 0; i < 3; ++i) q.c[6 + i] = Real(w[i], 0);
+  q.point = {Real(page_x), Real(page_y), Real(Wide<128>(face.origin_z) + Wide<128>(z), 0)};
+  return q;
+}
+
+// A form about a dot: at + x X + y Y + xx X^2 + xy X Y + yy Y^2.
+struct Form {
+  Real at, x, y, xx, xy, yy;
+
+  // Its determinant, four times: the form's value at the centre times spread().
+  [[nodiscard]] std::array<Real, 5> determinant() const {
+    return {Real(4) * xx * yy * at, xy * x * y, -xx * y * y, -yy * x * x, -at * xy * xy};
+  }
+  [[nodiscard]] Real spread() const { return Real(4) * xx * yy - xy * xy; }
+  // Times it: where the gradient is 0, the centre.
+  [[nodiscard]] Real centre_x() const { return xy * y - (yy + yy) * x; }
+  [[nodiscard]] Real centre_y() const { return xy * x - (xx + xx) * y; }
+};
+
+Form discriminant_of(const Quadric& q) {
+  const auto minor = [&q](std::size_t i, std::size_t j, std::size_t k) { return q.c[i] * q.c[j] - q.c[2] * q.c[k]; };
+  const auto twice = [](const Real& r) { return r + r; };
+  return {minor(8, 8, 9), twice(minor(5, 8, 6)), twice(minor(4, 8, 7)),
+          minor(5, 5, 0), twice(minor(5, 4, 3)), minor(4, 4, 1)};
+}
 
 // --- a line of it, and the pencil of its rulings ---
 
-// Through the ruling at dot x of the line, counted from a dot of it: x + (slope + spread x) lines.
+// Through the ruling at dot X of the line: X + (slope + spread X) lines.
 struct Pencil {
   Real slope, spread;
+  Real drift;  // spread times D where rulings meet, which is 0 on a cone
 };
 
-// Dot (x, y) of the face's frame is on the surveyed line.
-Pencil parallels(const Outline& outline) { return {-Real(outline.q[1], 0) / Real(outline.q[0] << 1, 0), {}}; }
+Pencil parallels(const Form& d) { return {-d.xy / (d.xx + d.xx), {}, {}}; }
 // Through the centre of D = 0, the apex's image.
-Pencil through_centre(const Outline& outline, std::int32_t x, std::int32_t y) {
-  const Product spread = outline.spread();
-  const Real below(spread.times(y) - outline.pole_y(), 0);
-  return {Real(spread.times(x) - outline.pole_x(), 0) / below, Real(spread, 0) / below};
+Pencil through_centre(const Form& d) {
+  const Real spread = d.spread();
+  const Real x = d.centre_x();
+  const Real y = d.centre_y();
+  return {x / y, -spread / y, (spread * d.at + (d.x * x + d.y * y).half()) / y};
+}
+
+// The dot of x0 .. x1 nearest to where D is greatest or least on the line: on either side of an apex, about which D cancels least.
+std::int32_t middle_of(const ActiveFace& face, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const auto& d = face.surface.discriminant.q;
+  const Real x = -Real(d[1].times(y - face.origin_y) + d[3], 0) / Real(d[0] + d[0], 0);
+  if (x.bits() > coordinate_bits) return x0 + (x1 - x0) / 2;
+  return std::clamp(static_cast<std::int32_t>(x.fixed(0)) + face.origin_x, x0, x1);
 }
 
 // To within what a cone, whose apex lies so far off, has in common with a cylinder.
-bool is_parallel(const Outline& outline) {
-  return outline.spread().bit_length() <= outline.product(1, 1).bit_length() - 24 ||
-         outline.spread().bit_length() <= outline.product(0, 2).bit_length() - 24;
+bool is_parallel(const Form& d) {
+  const Real spread = d.spread();
+  return spread.sign() == 0 || spread.bits() <= std::max((d.xy * d.xy).bits(), (d.xx * d.yy).bits()) - 24;
 }
 
 // Of the lines that a survey is to hold for. Where a cone grows much over them, a power of their number over the growth is as small as if
@@ -67,71 +105,67 @@ int line_bits_of(const Pencil& p) {
   return p.spread.is_zero() ? bits : std::clamp(1 - p.spread.bits(), 0, bits);
 }
 
-// A form about a dot: at + x X + y Y + xx X^2 + xy X Y + yy Y^2.
-struct Form {
-  Real at, x, y, xx, xy, yy;
-};
+// Along the rulings a cone's forms grow, N's as 1 + g with g = spread lines, D as its square, and a cylinder's stay. What a form has
+// beside that, as far as the survey is to hold, becomes an error of the form on the line; growth is divided out, and g >= -3/4.
 
-// Along the rulings a cone's form grows as 1 + spread lines, or as its square, and there is no more of it. What another has,
-//   lines (linear + bend x) + lines^2 (square + spread bend x)  or  lines linear,
-// as far as the survey is to hold, becomes an error of the form on the line; divided by that growth, 1/4 at least, it is at most 16 and
-// 4 times so much.
-void hold_on_all_lines(Form& f, const Pencil& p) {
+// lines (linear + bend x) + lines^2 square
+void hold_along_parallels(Form& d, const Pencil& p) {
   const int lines = line_bits_of(p);
-  const int growth = p.spread.is_zero() ? 0 : 4;
-  const Real linear = f.x * p.slope + f.y - (f.at * p.spread + f.at * p.spread);
-  const Real bend = (f.xx + f.xx) * p.slope + f.xy - f.x * p.spread;
-  const Real square = (f.xx * p.slope + f.xy) * p.slope + f.yy - f.at * p.spread * p.spread;
-  f.at = f.at.blurred(linear, lines + growth).blurred(square, 2 * lines + growth);
-  f.x = f.x.blurred(bend, lines + growth).blurred(bend * p.spread, 2 * lines + growth);
+  const Real linear = d.x * p.slope + d.y;
+  const Real bend = (d.xx + d.xx) * p.slope + d.xy;
+  const Real square = (d.xx * p.slope + d.xy) * p.slope + d.yy;
+  d.at = d.at.blurred(linear, lines).blurred(square, 2 * lines);
+  d.x = d.x.blurred(bend, lines);
 }
-void hold_linear_on_all_lines(Form& f, const Pencil& p) {
-  const int lines = line_bits_of(p);
-  const int growth = p.spread.is_zero() ? 0 : 2;
-  f.at = f.at.blurred(f.x * p.slope + f.y - f.at * p.spread, lines + growth);
-}
-
-Form form_of(const Outline& outline, std::int32_t x, std::int32_t y) {
-  const auto& q = outline.q;
-  return {Real((q[0].times(x) + q[1].times(y) + q[3]).times(x) + (q[2].times(y) + q[4]).times(y) + q[5], 0),
-          Real((q[0] << 1).times(x) + q[1].times(y) + q[3], 0),
-          Real(q[1].times(x) + (q[2] << 1).times(y) + q[4], 0),
-          Real(q[0], 0),
-          Real(q[1], 0),
-          Real(q[2], 0)};
+// About the centre D is of second degree but for a constant, which should grow as well: 1 - 1 / (1 + g)^2 is at most 2 g, or 32 |g| where
+// g < 0.
+void hold_through_centre(Form& d, const Pencil& p) { d.at = d.at.blurred(p.drift, line_bits_of(p) + 5); }
+// lines linear, divided by 1/4 at least.
+void hold_on_all_lines(Form& n, const Pencil& p) {
+  n.at = n.at.blurred(n.x * p.slope + n.y - n.at * p.spread, line_bits_of(p) + (p.spread.is_zero() ? 0 : 2));
 }
 
-// About dot (x, y) of the face's frame, and good for all lines of the survey.
-CrossLine cross_line(const ShadeJob& job, const Outline& outline, const Pencil& pencil, std::int32_t x,
-                     std::int32_t y) {
-  Form d = form_of(outline, x, y);
-  hold_on_all_lines(d, pencil);
-  CrossLine line;
-  line.d0 = d.xx;
-  line.d1 = d.x;
-  line.d2 = d.at;
-  const NormalForms forms = normal_forms(job.face, job.lighting);
+// N = u + v s, a times the gradient's product with the matrix: u_i = -1/2 (M_i0 D_x + M_i1 D_y + M_i3 D_w), D_w = 2 at + x X + y Y;
+// v_i = +-(M_i0 c5 + M_i1 c4 + M_i2 c2 + M_i3 c8). The matrix is that of the page's frame, and moved as the gradient is.
+void add_normals(CrossLine& line, const ShadeJob& job, const Quadric& q, const Form& d, const Pencil& pencil) {
+  static constexpr std::array<std::uint8_t, 4> depth{5, 4, 2, 8};
+  const Lighting& g = job.lighting;
+  const bool reversed = job.face.light_sign < 0;
+  const bool root_reversed = (job.face.sheet < 0) != reversed;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& u = forms.u[i];
-    Form n{Real(u[0].times(x) + u[1].times(y) + u[2], 0), Real(u[0], 0), Real(u[1], 0), {}, {}, {}};
-    hold_linear_on_all_lines(n, pencil);
-    const bool reversed = job.face.light_sign < 0;
-    line.normal[i] = reversed ? -n.at : n.at;
-    line.normal_step[i] = reversed ? -n.x : n.x;
-    line.normal_root[i] = Real(reversed ? -forms.v[i] : forms.v[i], 0);
+    std::array<Real, 4> m;
+    for (std::size_t j = 0; j < 4; ++j) {
+      m[j] = Real(g.matrix[i][j]);
+      if (j < 3) m[j] = m[j] - Real(g.matrix[i][3]) * q.point[j];
+    }
+    Form n{(m[0] * d.x + m[1] * d.y).half() + m[3] * d.at,
+           m[0] * d.xx + (m[1] * d.xy + m[3] * d.x).half(),
+           (m[0] * d.xy + m[3] * d.y).half() + m[1] * d.yy,
+           {},
+           {},
+           {}};
+    hold_on_all_lines(n, pencil);
+    Real root;
+    for (std::size_t j = 0; j < 4; ++j) root = root + m[j] * q.c[depth[j]];
+    line.normal[i] = reversed ? n.at : -n.at;
+    line.normal_step[i] = reversed ? n.x : -n.x;
+    line.normal_root[i] = root_reversed ? -root : root;
   }
-  return line;
 }
 
-// The part of the line that the face, which is at 0, has as far as its limbs; or, where they lie `far` off or there are none, from
-// -beyond to beyond. False where D is a square, as on a line through the apex.
-bool ends_of_face(const CrossLine& line, std::int32_t beyond, ArcEnd& a, ArcEnd& b) {
-  const Real far(std::max<std::int32_t>(beyond, 4096));
+// The part of the line that the face, which is at 0, has as far as its limbs; or, where they lie far off or there are none, from -left to
+// right. False where D is a square, as on a line through the apex.
+bool ends_of_face(const CrossLine& line, std::int32_t left, std::int32_t right, ArcEnd& a, ArcEnd& b) {
+  constexpr std::int32_t far = 4096;
   const auto dot = [&line](std::int32_t x) {
     return ArcEnd{Real(x), (line.d2 + (line.d1 + line.d0 * Real(x)) * Real(x)).root()};
   };
-  const auto limb_left = [&](const Real& x) { a = (far + x).sign() < 0 ? dot(-beyond) : ArcEnd{x, {}}; };
-  const auto limb_right = [&](const Real& x) { b = (x - far).sign() > 0 ? dot(beyond) : ArcEnd{x, {}}; };
+  const auto limb_left = [&](const Real& x) {
+    a = (Real(std::max(left, far)) + x).sign() < 0 ? dot(-left) : ArcEnd{x, {}};
+  };
+  const auto limb_right = [&](const Real& x) {
+    b = (x - Real(std::max(right, far))).sign() > 0 ? dot(right) : ArcEnd{x, {}};
+  };
   const Real discriminant = line.d1 * line.d1 - Real(4) * line.d0 * line.d2;
   const int bend = line.d0.sign();
   if (discriminant.sign() > 0 && bend != 0) {
@@ -144,15 +178,15 @@ bool ends_of_face(const CrossLine& line, std::int32_t beyond, ArcEnd& a, ArcEnd&
       limb_right(high);
     } else if (line.d1.sign() > 0) {  // right of both
       limb_left(high);
-      b = dot(beyond);
+      b = dot(right);
     } else {
-      a = dot(-beyond);
+      a = dot(-left);
       limb_right(low);
     }
     return true;
   }
-  a = dot(-beyond);
-  b = dot(beyond);
+  a = dot(-left);
+  b = dot(right);
   return discriminant.sign() < 0;
 }
 
@@ -366,19 +400,23 @@ class Survey {
 }  // namespace
 
 bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  // A cone's lines towards its apex need more of its rulings: those of a quarter of the way.
-  const std::int32_t beyond = 64 + (x1 - x0) * 3 / 2;
   StraightContours& out = job.contours->straight;
   out.entries = 0;
-  const Outline outline(job.face);
-  const std::int32_t x = x0 + (x1 - x0) / 2;
-  const std::int32_t face_x = x - job.face.origin_x;
-  const std::int32_t face_y = y - job.face.origin_y;
-  const Pencil pencil = is_parallel(outline) ? parallels(outline) : through_centre(outline, face_x, face_y);
-  const CrossLine line = cross_line(job, outline, pencil, face_x, face_y);
+  const std::int32_t x = middle_of(job.face, y, x0, x1);
+  const Quadric quadric = about_dot(job.face, x, y);
+  Form d = discriminant_of(quadric);
+  const bool parallel = is_parallel(d);
+  const Pencil pencil = parallel ? parallels(d) : through_centre(d);
+  CrossLine line;
+  add_normals(line, job, quadric, d, pencil);
+  parallel ? hold_along_parallels(d, pencil) : hold_through_centre(d, pencil);
+  line.d0 = d.xx;
+  line.d1 = d.x;
+  line.d2 = d.at;
   ArcEnd a;
   ArcEnd b;
-  if (!ends_of_face(line, beyond, a, b)) return false;
+  // A cone's lines towards its apex need more of its rulings: those of a third of the way.
+  if (!ends_of_face(line, 3 * (x - x0) + 64, 3 * (x1 - x) + 64, a, b)) return false;
   if (!aim(pencil, x, a, b, out)) return false;
   CrossArc arc;
   if (!arc.make(line, a, b, job.lighting)) return false;
@@ -390,40 +428,15 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
   return true;
 }
 
-// D in Reals: what cancels has a larger error.
-bool is_surely_curved(const ActiveFace& face) {
-  const auto c = [&face](int i) { return Real(face.c[static_cast<std::size_t>(i)], 0); };
-  const auto minor = [&c](int i, int j, int k, int l) { return c(i) * c(j) - c(k) * c(l); };
-  const Real a = minor(5, 5, 2, 0);
-  const Real b = minor(5, 4, 2, 3);
-  const Real d = minor(4, 4, 2, 1);
-  const Real e = minor(5, 8, 2, 6);
-  const Real f = minor(4, 8, 2, 7);
-  const Real g = minor(8, 8, 2, 9);
-  const Real bef = b * e * f;
-  const Real terms[5] = {a * d * g, bef + bef, -a * f * f, -d * e * e, -g * b * b};
+// What D's determinant is above 0 for, such as a cylinder written in decimals, becomes an error of the survey's forms.
+bool has_straight_contours(const ActiveFace& face) {
   Real sum;
   int most = std::numeric_limits<int>::min();
-  for (const Real& term : terms) {
+  for (const Real& term : discriminant_of(about_origin(face)).determinant()) {
     sum = sum + term;
     if (!term.is_zero()) most = std::max(most, term.bits());
   }
-  return sum.sign() != 0 && sum.bits() > most - 15;  // both are at most a bit too many
-}
-
-// The determinant of D's matrix is c2^2 times the quadric's, up to sign; it is taken from integers, as RootSurface's may be rounded.
-// What it is above 0 for, such as a cylinder written in decimals, cross_line() makes an error.
-bool has_straight_contours(const ShadeJob& job) {
-  const Outline d(job.face);
-  const Product terms[5] = {d.product(0, 2, 5) << 2, d.product(1, 3, 4), -d.product(0, 4, 4), -d.product(2, 3, 3),
-                            -d.product(5, 1, 1)};
-  Product sum;
-  int most = 0;
-  for (const Product& term : terms) {
-    sum += term;
-    most = std::max(most, term.bit_length());
-  }
-  return sum.bit_length() <= most - 16;
+  return sum.sign() == 0 || sum.bits() <= most - 16;
 }
 
 bool has_wide_coefficients(const ActiveFace& face) {
@@ -431,15 +444,21 @@ bool has_wide_coefficients(const ActiveFace& face) {
                      [](const Wide<128>& c) { return c.bit_length() > most_coefficient_bits; });
 }
 
-// The rulings' common point lies there; of parallel rulings, which have none, D is a square on every line or on none.
-std::int32_t kinked_line_of(const ActiveFace& face) {
-  const Outline d(face);
-  const Product spread = d.spread();
-  if (spread.is_zero()) return d.product(3, 3) == d.product(0, 5) << 2 ? all_lines : no_line;
-  const Real y = Real(d.pole_y(), 0) / Real(spread, 0);
-  if (y.bits() > coordinate_bits) return no_line;
-  const auto nearest = static_cast<std::int32_t>((y.fixed(1) + 1) >> 1);
-  return spread.times(nearest) == d.pole_y() ? nearest + face.origin_y : no_line;
+// n lines on the discriminant of D is that here and 2 centre_y n - spread n^2.
+std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y) {
+  const Form d = discriminant_of(about_dot(face, x, y));
+  const Real spread = d.spread();
+  const Real centre = d.centre_y();
+  constexpr int page_bits = 15;
+  if ((d.x * d.x - Real(4) * d.xx * d.at).blurred(centre, page_bits + 1).blurred(spread, 2 * page_bits).sign() != 0) {
+    return no_line;
+  }
+  const Real lines = centre / spread;
+  constexpr int fraction = 8;
+  if (lines.error_of(fraction) > 1 << (fraction - 2)) return all_lines;
+  if (lines.bits() > page_bits) return no_line;
+  const auto nearest = static_cast<std::int32_t>((lines.fixed(1) + 1) >> 1);
+  return (lines - Real(nearest)).sign() == 0 ? y + nearest : no_line;
 }
 
 }  // namespace halfspace

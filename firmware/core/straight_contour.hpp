@@ -21,7 +21,7 @@ struct StraightContours {
   std::int32_t line = 0;
   std::int32_t entries = 0;  // at the start of the face's block; none: not known
   std::int32_t entry_width = 0;
-  std::uint32_t waited = 0;  // dots shaded otherwise since the last survey
+  std::uint32_t waited = 0;  // dots shaded since the last survey, an eighth of those by it
   std::uint16_t failures = 0;
   bool tried = false;
 };

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "firmware/core/real.hpp"
 #include "tests/core/faces.hpp"
 
@@ -38,6 +40,22 @@ class Contours {
     std::vector<std::uint8_t> levels(page_.row_bytes());
     painter.copy_to(levels);
     return {levels.begin() + run.x0, levels.begin() + run.x1 + 1};
+  }
+
+  // The lines of which straight_contour declines a run.
+  int lines_not_straight(const TestFace& face, const ExactModule& exact) {
+    int lines = 0;
+    for (std::int32_t y = 0; y < page_.height; ++y) {
+      RowPainter painter(page_, words_, {});
+      painter.begin(y);
+      const ShadeJob job{face.active, lighting_, table_, exact, painter, counters, 1, &contours, scratch_};
+      const std::vector<DotRun> runs = runs_of(face, y, page_.width);
+      const bool all = has_straight_contours(face.active) &&
+                       std::all_of(runs.begin(), runs.end(),
+                                   [&](const DotRun& run) { return straight_contour(job, y, run.x0, run.x1); });
+      lines += all ? 0 : 1;
+    }
+    return lines;
   }
 
   Counters counters;
@@ -214,6 +232,47 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
   }
   EXPECT_GT(tally.dots, 300000U);
   EXPECT_GT(straight, 60U);
+}
+
+Lighting plain_lighting() {
+  Lighting l;
+  for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
+  l.light = {9000, -14000, -20000};
+  l.unit = l.parallel = 1 << 16;
+  return l;
+}
+
+int lines_not_straight(const std::array<mpz_class, 10>& c, std::int32_t side) {
+  const Lighting lighting = plain_lighting();
+  const TestFace face = make_face(FaceKind::root, c, {side / 2, side / 2, 0}, -1, 1, 0, lighting);
+  const ExactModule* exact = exact_for({&face}, lighting, 65, side);
+  return exact == nullptr ? side : Contours(lighting, 65, side, side).lines_not_straight(face, *exact);
+}
+
+// One survey serves all lines of a cylinder, also where D lacks all that is not of x; and a cone's, round the apex, all but a few.
+TEST(StraightContour, DeclinesFewLines) {
+  // x^2 + z^2 = 150^2
+  EXPECT_EQ(lines_not_straight({1, 0, 1, 0, 0, 0, 0, 0, 0, -22500}, 400), 0);
+  // 9 Z^2 + 2 X Z = 2 X^2 + 3 Y^2 with X = 4 x - 1, Y = 4 y + 2, Z = 4 z, a ring of rulings about the apex
+  const std::array<mpz_class, 10> cone{-32, -48, 144, 0, 0, 16, 8, -24, -4, -14};
+  EXPECT_LT(lines_not_straight(cone, 600), 16);
+  // So within 2^-40.
+  std::array<mpz_class, 10> rounded = cone;
+  for (mpz_class& k : rounded) k = (k << 40) + 3;
+  EXPECT_LT(lines_not_straight(rounded, 600), 16);
+}
+
+// D is a square on the line through an apex.
+TEST(StraightContour, KnowsTheLineWithACorner) {
+  const auto corner_line = [](const std::array<mpz_class, 10>& c) {
+    const TestFace face = make_face(FaceKind::root, c, {100, 200, 0}, -1, 1, 0, plain_lighting());
+    return corner_line_of(face.active, 130, 160);
+  };
+  EXPECT_EQ(corner_line({-2, -3, 9, 0, 0, 1, 0, 0, 0, 0}), 200);                // 9 z^2 + 2 x z = 2 x^2 + 3 y^2
+  EXPECT_EQ(corner_line({-2, -3, 9, 0, 0, 1, 0, 21, 0, -147}), 207);            // its apex 7 lines on
+  EXPECT_EQ(corner_line({-32, -48, 144, 0, 0, 16, 8, -24, -4, -14}), no_line);  // half a line on, a quarter of a dot
+  EXPECT_EQ(corner_line({1, 0, 1, 0, 0, 0, 0, 0, 0, -22500}), no_line);         // x^2 + z^2 = 150^2
+  EXPECT_EQ(corner_line({-1, 0, 1, 0, 0, 0, 0, 0, 0, 0}), all_lines);           // z^2 = x^2
 }
 
 }  // namespace
