@@ -51,12 +51,12 @@ class SurfaceMating {
 
  private:
   using Key = std::array<std::int64_t, 10>;
-  using Position = std::array<Real, 10>;  // in cells of the grid
+  using Position = std::array<Real, 10>;  // what neighbours agree in
   struct KeyHash {
     std::size_t operator()(const Key& key) const;
   };
   struct Candidate {
-    const MatingSurface& surface;
+    MatingSurface surface;
     Position position;
     const Region& region;
     const std::vector<std::uint32_t>& bodies;
@@ -71,7 +71,10 @@ class SurfaceMating {
   };
 
   [[nodiscard]] Position position_of(const RealHalfSpace& shape) const;
+  [[nodiscard]] static Candidate reversed(Candidate candidate);
   [[nodiscard]] std::optional<Match> find(const Candidate& candidate) const;
+  // Takes the leader if it agrees and comes before the best so far.
+  void offer(const Candidate& candidate, std::size_t leader, bool opposite, std::optional<Match>& best) const;
   // None where the two have to stay two.
   [[nodiscard]] static std::optional<Real> apart(const Candidate& candidate, const Leader& leader);
   [[nodiscard]] static std::optional<Real> plane_apart(const Candidate& candidate, const Leader& leader);
