@@ -181,7 +181,7 @@ class Flattener {
   // cut them.
   bool quadrics_meet(const PlacedBody& body, std::span<const Side> sides) {
     if (view_.perspective || view_.clipping) return quadrics_may_meet(sides);
-    const auto [known, is_new] = meetings_.emplace(body.statement, false);
+    const auto [known, is_new] = meetings_.try_emplace(body.statement, false);
     if (is_new) known->second = quadrics_may_meet(sides);
     return known->second;
   }
@@ -457,15 +457,16 @@ class Flattener {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& plane = surfaces_[uses[k].surface].quantised;
       if (!plane) return std::nullopt;
-      std::copy_n(plane->form.c.begin(), 4, forms[k].begin());
+      const IntegerForm form = seen_from(plane->form, IntegerPoint{});
+      std::copy_n(form.c.begin(), 4, forms[k].begin());
       const RealHalfSpace truth = transformed((*pair)[k], placed_.places[surface.place]);
       const Real off = plane_distance(plane->form, truth, surface.region);
       if (off > plane->bound + mating_limit) return std::nullopt;
       result.bound = larger(result.bound, larger(plane->bound, off));
     }
     add_twice_product(result.form, forms[0], forms[1]);
-    result.form = primitive(result.form);
-    if (uses[0].opposite != uses[1].opposite) result.form = negated(result.form);
+    result.form = primitive(std::move(result.form));
+    if (uses[0].opposite != uses[1].opposite) result.form = negated(std::move(result.form));
     return result;
   }
 

@@ -1,6 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "host/flatten/family.hpp"
 #include "host/flatten/least_scale.hpp"
@@ -77,8 +78,9 @@ class RoundedSphere {
     for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
   }
 
-  [[nodiscard]] bool holds(Real scale, Real target) const {
-    if (const auto certain = holds_in_doubles(static_cast<double>(scale), static_cast<double>(target))) return *certain;
+  [[nodiscard]] bool holds(int bits, Real target) const {
+    if (const auto certain = holds_in_doubles(std::ldexp(1, bits), static_cast<double>(target))) return *certain;
+    const Real scale = power_of_two(bits);
     const Real r2 = squared_radius(scale);
     return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target;
   }
@@ -89,19 +91,17 @@ class RoundedSphere {
     return bound;
   }
 
-  [[nodiscard]] IntegerForm form(Real scale, int sign) const {
+  [[nodiscard]] IntegerForm form(int bits) const {
     IntegerForm result{HalfSpaceKind::quadric, {}};
-    const mpz_class side = sign * round_to_integer(scale);
+    const auto shift = static_cast<mp_bitcnt_t>(bits);
+    const Real scale = power_of_two(bits);
     mpz_class& constant = result.c[9];
-    constant = -round_to_integer(square_ * scale * scale);
+    constant = round_to_integer(-square_ * scale * scale);
     for (std::size_t i = 0; i < 3; ++i) {
-      const mpz_class m = round_to_integer(centre_[i] * scale);
-      result.c[i] = side * side;
-      result.c[6 + i] = -side * m;
-      constant += m * m;
-    }
-    if (sign < 0) {
-      for (std::size_t i : {0, 1, 2, 9}) result.c[i] = -result.c[i];
+      const mpz_class m = round_to_integer(-centre_[i] * scale);
+      mpz_setbit(result.c[i].get_mpz_t(), 2 * shift);
+      mpz_mul_2exp(result.c[6 + i].get_mpz_t(), m.get_mpz_t(), shift);
+      mpz_addmul(constant.get_mpz_t(), m.get_mpz_t(), m.get_mpz_t());
     }
     return result;
   }
@@ -144,9 +144,11 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
     centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
   }
   const RoundedSphere sphere(centre, -reduced.constant() / weight);
-  const auto scale = least_scale([&](Real s) { return sphere.holds(s, box.target); });
-  if (!scale) return std::nullopt;
-  return Quantised{sphere.form(*scale, weight < 0 ? -1 : 1), sphere.bound(*scale)};
+  const auto bits = with_least_bits(
+      0, scale_limit, [&](int trial) { return sphere.holds(trial, box.target) ? std::optional(trial) : std::nullopt; });
+  if (!bits) return std::nullopt;
+  IntegerForm form = sphere.form(*bits);
+  return Quantised{weight < 0 ? negated(std::move(form)) : std::move(form), sphere.bound(power_of_two(*bits))};
 }
 
 // The least of |gradient / 2|^2 on a central quadric sum w l^2 = -constant is |constant| times the least weight of
@@ -236,8 +238,8 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   if (!result)
     result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local, least_bits);
   if (!result) return std::nullopt;
-  const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
-  result->form = primitive(seen_from(result->form, back));
+  result->form = primitive(std::move(result->form));
+  result->form.origin = round_to_integers(local.centre);
   return result;
 }
 
@@ -292,10 +294,8 @@ std::optional<Real> quadric_distance(const PlacedShape& a, const PlacedShape& tr
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
 Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region) {
   const LocalBox local = local_box(region);
-  Vector3 origin{};
-  for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
-  const RealHalfSpace a = seen_from(to_real(plane), origin);
-  const RealHalfSpace b = seen_from(truth, origin);
+  const RealHalfSpace a = seen_from(to_real(seen_from(plane, IntegerPoint{})), local.centre);
+  const RealHalfSpace b = seen_from(truth, local.centre);
   const Real size = length({a.c[0], a.c[1], a.c[2]});
   std::optional<Real> least;
   for (std::size_t pivot = 0; pivot < 4; ++pivot) {

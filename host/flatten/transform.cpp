@@ -7,48 +7,52 @@ namespace {
 
 std::size_t index(Axis axis) { return static_cast<std::size_t>(axis); }
 
-Matrix4 inverse(const TranslateTransform& t) {
-  Matrix4 m = identity_matrix;
-  m[3][index(t.axis)] = -decimal_to_real(t.distance.text);
-  return m;
+void add_multiple(Matrix4& m, std::size_t row, std::size_t of, Real factor) {
+  for (std::size_t j = 0; j < 4; ++j) add_product(m[row][j], factor, m[of][j]);
 }
 
-Matrix4 inverse(const TranslateAllTransform& t) {
+void multiply(Vector4& row, Real factor) {
+  for (Real& v : row) {
+    if (!is_zero(v)) v *= factor;
+  }
+}
+
+// Each takes m to T^-1 m.
+void undo(const TranslateTransform& t, Matrix4& m) {
+  add_multiple(m, 3, index(t.axis), -decimal_to_real(t.distance.text));
+}
+
+void undo(const TranslateAllTransform& t, Matrix4& m) {
   const Real back = -decimal_to_real(t.distance.text);
-  Matrix4 m = identity_matrix;
-  m[3] = {back, back, back, 1};
-  return m;
+  Vector4 moved{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 3; ++i) add_product(moved[j], back, m[i][j]);
+    moved[j] += m[3][j];
+  }
+  m[3] = moved;
 }
 
-Matrix4 inverse(const ScaleTransform& t) {
-  Matrix4 m = identity_matrix;
-  m[index(t.axis)][index(t.axis)] = 1 / decimal_to_real(t.factor.text);
-  return m;
-}
+void undo(const ScaleTransform& t, Matrix4& m) { multiply(m[index(t.axis)], 1 / decimal_to_real(t.factor.text)); }
 
-Matrix4 inverse(const ScaleAllTransform& t) {
+void undo(const ScaleAllTransform& t, Matrix4& m) {
   const Real back = 1 / decimal_to_real(t.factor.text);
-  Matrix4 m = identity_matrix;
-  for (std::size_t i = 0; i < 3; ++i) m[i][i] = back;
-  return m;
+  for (std::size_t i = 0; i < 3; ++i) multiply(m[i], back);
 }
 
 // =rz a takes (x, y) to (x cos a - y sin a, x sin a + y cos a); the inverse is the transpose.
-Matrix4 inverse(const RotateTransform& t) {
+void undo(const RotateTransform& t, Matrix4& m) {
   const SineCosine turn = sine_cosine_of_degrees(t.degrees.text);
   const std::size_t first = (index(t.axis) + 1) % 3;
   const std::size_t second = (index(t.axis) + 2) % 3;
-  Matrix4 m = identity_matrix;
-  m[first][first] = m[second][second] = turn.cosine;
-  m[first][second] = -turn.sine;
-  m[second][first] = turn.sine;
-  return m;
+  Matrix4 back = identity_matrix;
+  back[first][first] = back[second][second] = turn.cosine;
+  back[first][second] = -turn.sine;
+  back[second][first] = turn.sine;
+  m = product(back, m);
 }
 
-Matrix4 inverse(const ShearTransform& t) {
-  Matrix4 m = identity_matrix;
-  m[index(t.along)][index(t.moved)] = -decimal_to_real(t.amount.text);
-  return m;
+void undo(const ShearTransform& t, Matrix4& m) {
+  add_multiple(m, index(t.along), index(t.moved), -decimal_to_real(t.amount.text));
 }
 
 bool flattens(const Transform& transform) {
@@ -63,7 +67,7 @@ std::optional<Matrix4> inverse_of(std::span<const Transform> transforms) {
   Matrix4 result = identity_matrix;
   for (const Transform& transform : transforms) {
     if (flattens(transform)) return std::nullopt;
-    result = product(std::visit([](const auto& t) { return inverse(t); }, transform), result);
+    std::visit([&result](const auto& t) { undo(t, result); }, transform);
   }
   return result;
 }
