@@ -73,16 +73,20 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
 // A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
 class RoundedSphere {
  public:
-  RoundedSphere(const Vector3& centre, Real square)
-      : centre_(centre), square_(square), near_square_(static_cast<double>(square)) {
+  RoundedSphere(const Vector3& centre, Real square, Real target)
+      : centre_(centre),
+        square_(square),
+        target_(target),
+        near_square_(static_cast<double>(square)),
+        near_target_(static_cast<double>(target)) {
     for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
   }
 
-  [[nodiscard]] bool holds(int bits, Real target) const {
-    if (const auto certain = holds_in_doubles(std::ldexp(1, bits), static_cast<double>(target))) return *certain;
+  [[nodiscard]] bool holds(int bits) const {
+    if (const auto certain = holds_in_doubles(std::ldexp(1, bits))) return *certain;
     const Real scale = power_of_two(bits);
     const Real r2 = squared_radius(scale);
-    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target;
+    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target_;
   }
 
   [[nodiscard]] Real bound(Real scale) const {
@@ -109,18 +113,18 @@ class RoundedSphere {
  private:
   // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
   // at most, and then the radius by less than that over r scale^2.
-  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale, double target) const {
+  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale) const {
     if (!(near_square_ * scale * scale >= 2)) return std::nullopt;
     double sum_of_squares = 0;
-    double slack = target * 0x1p-40;
+    double slack = near_target_ * 0x1p-40;
     for (const double c : near_centre_) {
       const double off = std::rint(c * scale) / scale - c;
       sum_of_squares += off * off;
       slack += std::abs(c) * 0x1p-50;
     }
     const double off = std::sqrt(sum_of_squares);
-    if (off > target + slack) return false;
-    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < target) return true;
+    if (off > near_target_ + slack) return false;
+    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < near_target_) return true;
     return std::nullopt;
   }
 
@@ -132,9 +136,9 @@ class RoundedSphere {
   }
 
   Vector3 centre_;
-  Real square_;
+  Real square_, target_;
   std::array<double, 3> near_centre_{};
-  double near_square_;
+  double near_square_, near_target_;
 };
 
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
@@ -143,9 +147,9 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
   for (const SquareTerm& term : reduced.squares) {
     centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
   }
-  const RoundedSphere sphere(centre, -reduced.constant() / weight);
+  const RoundedSphere sphere(centre, -reduced.constant() / weight, box.target);
   const auto bits = with_least_bits(
-      0, scale_limit, [&](int trial) { return sphere.holds(trial, box.target) ? std::optional(trial) : std::nullopt; });
+      0, scale_limit, [&](int trial) { return sphere.holds(trial) ? std::optional(trial) : std::nullopt; });
   if (!bits) return std::nullopt;
   IntegerForm form = sphere.form(*bits);
   return Quantised{weight < 0 ? negated(std::move(form)) : std::move(form), sphere.bound(power_of_two(*bits))};

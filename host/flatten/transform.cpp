@@ -17,12 +17,13 @@ void multiply(Vector4& row, Real factor) {
   }
 }
 
-// Each takes m to T^-1 m.
-void undo(const TranslateTransform& t, Matrix4& m) {
+// Each takes m to T^-1 m; false where there is none.
+bool undo(const TranslateTransform& t, Matrix4& m) {
   add_multiple(m, 3, index(t.axis), -decimal_to_real(t.distance.text));
+  return true;
 }
 
-void undo(const TranslateAllTransform& t, Matrix4& m) {
+bool undo(const TranslateAllTransform& t, Matrix4& m) {
   const Real back = -decimal_to_real(t.distance.text);
   Vector4 moved{};
   for (std::size_t j = 0; j < 4; ++j) {
@@ -30,17 +31,26 @@ void undo(const TranslateAllTransform& t, Matrix4& m) {
     moved[j] += m[3][j];
   }
   m[3] = moved;
+  return true;
 }
 
-void undo(const ScaleTransform& t, Matrix4& m) { multiply(m[index(t.axis)], 1 / decimal_to_real(t.factor.text)); }
+bool undo(const ScaleTransform& t, Matrix4& m) {
+  const Real factor = decimal_to_real(t.factor.text);
+  if (factor == 0) return false;
+  multiply(m[index(t.axis)], 1 / factor);
+  return true;
+}
 
-void undo(const ScaleAllTransform& t, Matrix4& m) {
-  const Real back = 1 / decimal_to_real(t.factor.text);
+bool undo(const ScaleAllTransform& t, Matrix4& m) {
+  const Real factor = decimal_to_real(t.factor.text);
+  if (factor == 0) return false;
+  const Real back = 1 / factor;
   for (std::size_t i = 0; i < 3; ++i) multiply(m[i], back);
+  return true;
 }
 
 // =rz a takes (x, y) to (x cos a - y sin a, x sin a + y cos a); the inverse is the transpose.
-void undo(const RotateTransform& t, Matrix4& m) {
+bool undo(const RotateTransform& t, Matrix4& m) {
   const SineCosine turn = sine_cosine_of_degrees(t.degrees.text);
   const std::size_t first = (index(t.axis) + 1) % 3;
   const std::size_t second = (index(t.axis) + 2) % 3;
@@ -49,16 +59,12 @@ void undo(const RotateTransform& t, Matrix4& m) {
   back[first][second] = -turn.sine;
   back[second][first] = turn.sine;
   m = product(back, m);
+  return true;
 }
 
-void undo(const ShearTransform& t, Matrix4& m) {
+bool undo(const ShearTransform& t, Matrix4& m) {
   add_multiple(m, index(t.along), index(t.moved), -decimal_to_real(t.amount.text));
-}
-
-bool flattens(const Transform& transform) {
-  if (const auto* s = std::get_if<ScaleTransform>(&transform)) return decimal_to_real(s->factor.text) == 0;
-  if (const auto* s = std::get_if<ScaleAllTransform>(&transform)) return decimal_to_real(s->factor.text) == 0;
-  return false;
+  return true;
 }
 
 }  // namespace
@@ -66,8 +72,7 @@ bool flattens(const Transform& transform) {
 std::optional<Matrix4> inverse_of(std::span<const Transform> transforms) {
   Matrix4 result = identity_matrix;
   for (const Transform& transform : transforms) {
-    if (flattens(transform)) return std::nullopt;
-    std::visit([&result](const auto& t) { undo(t, result); }, transform);
+    if (!std::visit([&result](const auto& t) { return undo(t, result); }, transform)) return std::nullopt;
   }
   return result;
 }

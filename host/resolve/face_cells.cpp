@@ -120,10 +120,13 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
   std::vector<SheetPresence> presences;
   std::vector<bool> hidden;
   for (const Sheet sheet : sheets_in(sheets)) {
+    const bool is_exit = sheet == Sheet::back ? exits.back : exits.front;
+    if (is_exit && !has_rivals(sheets, face.bounds)) continue;
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
-    hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
+    hidden.push_back(is_exit);
   }
+  if (faces.empty()) return {};
   std::vector<CellBuilder> builders(faces.size());
   const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
