@@ -200,6 +200,7 @@ class Flattener {
     append_view_planes();
     move_places(page_.dot_to_view());
     if (!transform_half_spaces()) return false;
+    boxes_.reserve(placed_.bodies.size());
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
       const PlacedBody& body = placed_.bodies[i];
       boxes_.push_back(box_of(body, extent_on_page(i)));
@@ -304,7 +305,8 @@ class Flattener {
 
   void mate() {
     const Vector3 middle{Real(options_.width) / 2, Real(options_.height) / 2, vrp_depth()};
-    SurfaceMating mating(middle, std::max(options_.width, options_.height));
+    SurfaceMating mating(middle, std::max(options_.width, options_.height), half_spaces_.size());
+    surfaces_.reserve(half_spaces_.size());
     std::vector<std::vector<std::uint32_t>> users(half_spaces_.size());
     for (std::uint32_t body = 0; body < placed_.bodies.size(); ++body) {
       for (const HalfSpaceUse& use : placed_.bodies[body].uses) users[use.half_space].push_back(body);

@@ -31,6 +31,7 @@ struct CellRange {
   std::int64_t at, low, high;
 };
 CellRange cells_around(HalfSpaceKind kind, std::size_t coordinate, Real v) {
+  if (is_zero(v)) return {0, 0, 0};
   const double cells = cells_per_unit(kind, coordinate);
   const double size = std::min(std::abs(static_cast<double>(v)) * cells, 0x1p43) + 0.5;
   const double reach = static_cast<double>(reach_of(kind, coordinate)) * cells + 0x1p-9;

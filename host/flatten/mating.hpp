@@ -39,8 +39,12 @@ class SurfaceMating {
     Real apart = 0;          // dots: how far it is from the leader in its own region
   };
 
-  // Of a page of this size, whose middle is at vrp's depth.
-  SurfaceMating(const Vector3& middle, Real page_size) : middle_(middle), page_size_(page_size) {}
+  // Of a page of this size, whose middle is at vrp's depth. `surfaces` are expected.
+  SurfaceMating(const Vector3& middle, Real page_size, std::size_t surfaces = 0)
+      : middle_(middle), page_size_(page_size) {
+    leaders_.reserve(surfaces);
+    cells_.reserve(surfaces);
+  }
 
   // `bodies` use it.
   Match add(const MatingSurface& surface, const Region& region, const std::vector<std::uint32_t>& bodies);

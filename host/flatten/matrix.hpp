@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "host/flatten/integer_scene.hpp"
 #include "host/flatten/real.hpp"
@@ -110,8 +111,14 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
 inline RealHalfSpace normalised(RealHalfSpace h) {
   Real most = 0;
   for (const Real v : h.c) most = larger(most, magnitude(v));
-  if (most == 0) return h;
-  for (Real& v : h.c) v = v / most;
+  if (most == 0 || !finite(most)) return h;
+  Real former = most;
+  Real quotient = 1;
+  for (Real& v : h.c) {
+    if (is_zero(v)) continue;
+    if (v != former) quotient = v / most;  // a sphere has three coefficients of one size
+    former = std::exchange(v, quotient);
+  }
   return h;
 }
 

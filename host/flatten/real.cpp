@@ -138,7 +138,8 @@ Real rounded(Words top, bool more, int biased, bool negative) {
   return Real::of(a.native() * b.native());
 }
 
-[[gnu::noinline]] Real special_sum(Real larger, Real smaller) {
+// Of numbers that are special, or so far apart that the smaller one only tells where the larger is rounded to.
+[[gnu::noinline]] Real distant_sum(Real larger, Real smaller) {
   if (is_zero(smaller) && !is_zero(larger)) return larger;
   return Real::of(larger.native() + smaller.native());
 }
@@ -191,28 +192,35 @@ Real operator*(Real a, Real b) {
   const Bits128 right = Bits128{u.low} * v.high + static_cast<std::uint64_t>(left);
   const Words top = words_of(Bits128{u.high} * v.high + (left >> 64) + (right >> 64));
   const auto next = static_cast<std::uint64_t>(right);
-  const bool negative = a.has_sign() != b.has_sign();
-  const bool more = static_cast<std::uint64_t>(low) != 0;
-  if (top.high >> 63 != 0) return rounded(top, more || next != 0, exponent + 1, negative);
-  const Words doubled{top.low << 1 | next >> 63, top.high << 1 | top.low >> 63};
-  return rounded(doubled, more || next << 1 != 0, exponent, negative);
+  // Where its first bit is 0, once more: by a shift rather than by a branch that nobody can predict.
+  const auto up = static_cast<int>(~top.high >> 63);
+  const Words aligned{top.low << up | (next >> 63 & static_cast<unsigned>(up)),
+                      top.high << up | (top.low >> 63 & static_cast<unsigned>(up))};
+  const bool more = (static_cast<std::uint64_t>(low) | next << up) != 0;
+  return rounded(aligned, more, exponent + 1 - up, a.has_sign() != b.has_sign());
 }
 
 // With 14 bits more and what is beyond them in the last: enough, as only terms of equal or neighbouring exponents cancel more than one
 // bit, and they lose none.
 Real operator+(Real a, Real b) {
-  if (a.size_bits() < b.size_bits()) std::swap(a, b);
-  const int exponent = a.exponent_bits();
-  if (is_special(b) || exponent < 128 || exponent > 0x7ffd) return special_sum(a, b);
-  const int apart = exponent - b.exponent_bits();
-  const Bits128 larger = mantissa_of(a) << 14;
-  const Bits128 whole = mantissa_of(b) << 14;
-  const Bits128 cut = apart < 127 ? whole >> apart : 0;
-  const Bits128 smaller = cut | (apart > 14 && (apart >= 127 || cut << apart != whole) ? 1 : 0);
-  const Bits128 sum = a.has_sign() == b.has_sign() ? larger + smaller : larger - smaller;
+  // Without branches that nobody can predict.
+  const bool in_order = a.size_bits() >= b.size_bits();
+  const Words first = in_order ? a.words() : b.words();
+  const Words second = in_order ? b.words() : a.words();
+  const Real larger = Real::of_words(first);
+  const Real smaller = Real::of_words(second);
+  const int exponent = larger.exponent_bits();
+  const int apart = exponent - smaller.exponent_bits();
+  if (is_special(smaller) || exponent < 128 || exponent > 0x7ffd || apart > 126) return distant_sum(larger, smaller);
+  const Bits128 whole = mantissa_of(smaller) << 14;
+  const Bits128 cut = whole >> apart;
+  const Bits128 lost = whole & ((Bits128{1} << apart) - 1);
+  const Bits128 term = cut | (lost != 0 ? 1 : 0);
+  const Bits128 turned = Bits128{0} - (first.high >> 63 != second.high >> 63 ? 1 : 0);
+  const Bits128 sum = (mantissa_of(larger) << 14) + ((term ^ turned) - turned);
   if (sum == 0) return 0;
   const int up = 128 - bit_width(sum);
-  return rounded(words_of(sum << up), false, exponent + 1 - up, a.has_sign());
+  return rounded(words_of(sum << up), false, exponent + 1 - up, larger.has_sign());
 }
 
 // Most quotients are halves, and a power of two leaves the mantissa.
