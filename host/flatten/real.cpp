@@ -204,11 +204,13 @@ Real operator*(Real a, Real b) {
 // bit, and they lose none.
 Real operator+(Real a, Real b) {
   // Without branches that nobody can predict.
-  const bool in_order = a.size_bits() >= b.size_bits();
-  const Words first = in_order ? a.words() : b.words();
-  const Words second = in_order ? b.words() : a.words();
-  const Real larger = Real::of_words(first);
-  const Real smaller = Real::of_words(second);
+  const auto [a_low, a_high] = a.words();
+  const auto [b_low, b_high] = b.words();
+  const std::uint64_t change = a.size_bits() < b.size_bits() ? ~std::uint64_t{0} : 0;
+  const std::uint64_t low_change = (a_low ^ b_low) & change;
+  const std::uint64_t high_change = (a_high ^ b_high) & change;
+  const Real larger = Real::of_words({a_low ^ low_change, a_high ^ high_change});
+  const Real smaller = Real::of_words({b_low ^ low_change, b_high ^ high_change});
   const int exponent = larger.exponent_bits();
   const int apart = exponent - smaller.exponent_bits();
   if (is_special(smaller) || exponent < 128 || exponent > 0x7ffd || apart > 126) return distant_sum(larger, smaller);
@@ -216,7 +218,7 @@ Real operator+(Real a, Real b) {
   const Bits128 cut = whole >> apart;
   const Bits128 lost = whole & ((Bits128{1} << apart) - 1);
   const Bits128 term = cut | (lost != 0 ? 1 : 0);
-  const Bits128 turned = Bits128{0} - (first.high >> 63 != second.high >> 63 ? 1 : 0);
+  const Bits128 turned = Bits128{0} - ((a_high ^ b_high) >> 63);
   const Bits128 sum = (mantissa_of(larger) << 14) + ((term ^ turned) - turned);
   if (sum == 0) return 0;
   const int up = 128 - bit_width(sum);
