@@ -9,6 +9,10 @@
 #include <cstring>
 #include <new>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace halfspace {
 namespace {
 
@@ -57,6 +61,13 @@ void* resize(void* block, std::size_t former, std::size_t bytes) {
 
 }  // namespace
 
-void keep_integer_memory() { mp_set_memory_functions(allocate, resize, release); }
+void keep_memory() {
+  mp_set_memory_functions(allocate, resize, release);
+#if defined(__GLIBC__)
+  constexpr int large = 1 << 25;  // bytes; the most that malloc may be told
+  mallopt(M_MMAP_THRESHOLD, large);
+  mallopt(M_TRIM_THRESHOLD, 8 * large);
+#endif
+}
 
 }  // namespace halfspace

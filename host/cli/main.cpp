@@ -132,7 +132,7 @@ int run(int argc, char** argv) {
 }  // namespace halfspace
 
 int main(int argc, char** argv) {
-  halfspace::keep_integer_memory();
+  halfspace::keep_memory();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away is an error of write, told like any other
   try {
     return halfspace::run(argc, argv);

@@ -28,7 +28,9 @@ class Search {
     std::vector<Clan> clans;
     for (std::size_t surface = 0; surface < users_.size(); ++surface) {
       if (is_known_[surface] != 0 || users_[surface].empty()) continue;
-      Clan clan = clan_from(users_[surface].front());
+      const std::size_t first = users_[surface].front();
+      if (users_[surface].size() == 1 && families_.at(key_of(first)).members.size() == 1) continue;
+      Clan clan = clan_from(first);
       if (clan.surfaces.size() > 1) clans.push_back(std::move(clan));
     }
     return clans;

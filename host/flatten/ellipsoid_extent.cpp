@@ -35,16 +35,20 @@ std::optional<Box> ellipsoid_extent(const Side& side) {
   Vector3 middle{};
   Real size = -c[9];
   Real terms = magnitude(c[9]);
+  const Vector3 gradient{c[6], c[7], c[8]};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& row = quadric_index[i];
-    const Vector3 gradient{c[6], c[7], c[8]};
     middle[i] = -dot({cofactor[row[0]], cofactor[row[1]], cofactor[row[2]]}, gradient) / det;
-    size -= c[6 + i] * middle[i];
-    terms += magnitude(c[6 + i] * middle[i]);
+    const Real term = gradient[i] * middle[i];
+    size -= term;
+    terms += magnitude(term);
   }
   if (!(size > terms * power_of_two(-least_size_bits))) return std::nullopt;
   Vector3 half{};
-  for (std::size_t i = 0; i < 3; ++i) half[i] = square_root(size * cofactor[i] / det);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_round = i > 0 && cofactor[i] == cofactor[i - 1];
+    half[i] = is_round ? half[i - 1] : square_root(size * cofactor[i] / det);
+  }
   return Box{difference(middle, half), sum(middle, half)};
 }
 

@@ -86,7 +86,7 @@ bool is_affine(const Matrix4& inverse) { return inverse[0][3] == 0 && inverse[1]
 
 WorldOne world_one(const Matrix4& inverse, const LocalBox& box) {
   if (is_affine(inverse)) return {{0, 0, 0, 1}, 1};
-  return {{0, 0, 1, box.origin[2]}, inverse[2][3]};
+  return {{0, 0, 1, round_to_integer(box.centre[2])}, inverse[2][3]};
 }
 
 // The same in the box's frame, homogeneous: every form is linear in (x, y, z, 1), also in perspective.
@@ -289,11 +289,12 @@ std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMemb
   if (!here) return std::nullopt;
   auto all = quantise_locally(members, *here, local, least_bits);
   if (!all) return std::nullopt;
-  const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
+  const IntegerPoint origin = round_to_integers(local.centre);
   for (std::size_t i = 0; i < members.size(); ++i) {
     IntegerForm& form = (*all)[i].form;
-    form = primitive(seen_from(form, back));
-    if (members[i].kin.ratio < 0) form = negated(form);
+    form = primitive(std::move(form));
+    if (members[i].kin.ratio < 0) form = negated(std::move(form));
+    form.origin = origin;
   }
   return all;
 }

@@ -50,7 +50,8 @@ struct PageHalfSpace {
   std::optional<Region> region;  // of the bodies that use it
   std::optional<SurfaceUse> use;
   std::optional<std::array<SurfaceUse, 2>> planes;  // of a quadric that is the product of two
-  Quantised quantised;
+  std::optional<Quantised> alone;                   // what it is rounded to if it uses no surface
+  Real bound = 0;
 };
 
 // What one or more half-spaces have in common.
@@ -105,7 +106,7 @@ class Flattener {
     if (!view || is_hopeless()) return false;
     view_ = *view;
     move_places(view_to_world(view_));
-    return transform_half_spaces();
+    return true;
   }
 
   // Half-spaces are transformed from their statements every time, so that only matrices gather rounding.
@@ -115,15 +116,15 @@ class Flattener {
 
   bool transform_half_spaces() {
     half_spaces_.clear();
+    half_spaces_.reserve(placed_.half_spaces.size());
     for (const PlacedHalfSpace& h : placed_.half_spaces) {
-      PageHalfSpace moved;
+      PageHalfSpace& moved = half_spaces_.emplace_back();
       moved.shape = normalised(transformed(h.shape, placed_.places[h.place]));
       if (!finite(moved.shape)) {
         return fail(Severity::error, h.position,
                     "the transforms and the view take '" + h.name +
                         "' beyond 10^4900 or below 10^-4900; use milder numbers or fewer copies");
       }
-      half_spaces_.push_back(std::move(moved));
     }
     return true;
   }
@@ -154,6 +155,7 @@ class Flattener {
   bool fit() {
     std::optional<Box> extent;
     if (needs_extent(view_)) {
+      if (!transform_half_spaces()) return false;
       for (const PlacedBody& body : placed_.bodies) {
         std::vector<Side> sides = sides_of(body);
         if (view_.perspective) sides.push_back({eye_plane(), false});
@@ -179,7 +181,7 @@ class Flattener {
   // cut them.
   bool quadrics_meet(const PlacedBody& body, std::span<const Side> sides) {
     if (view_.perspective || view_.clipping) return quadrics_may_meet(sides);
-    const auto [known, is_new] = meetings_.emplace(body.statement, false);
+    const auto [known, is_new] = meetings_.try_emplace(body.statement, false);
     if (is_new) known->second = quadrics_may_meet(sides);
     return known->second;
   }
@@ -198,6 +200,7 @@ class Flattener {
     append_view_planes();
     move_places(page_.dot_to_view());
     if (!transform_half_spaces()) return false;
+    boxes_.reserve(placed_.bodies.size());
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
       const PlacedBody& body = placed_.bodies[i];
       boxes_.push_back(box_of(body, extent_on_page(i)));
@@ -302,7 +305,8 @@ class Flattener {
 
   void mate() {
     const Vector3 middle{Real(options_.width) / 2, Real(options_.height) / 2, vrp_depth()};
-    SurfaceMating mating(middle, std::max(options_.width, options_.height));
+    SurfaceMating mating(middle, std::max(options_.width, options_.height), half_spaces_.size());
+    surfaces_.reserve(half_spaces_.size());
     std::vector<std::vector<std::uint32_t>> users(half_spaces_.size());
     for (std::uint32_t body = 0; body < placed_.bodies.size(); ++body) {
       for (const HalfSpaceUse& use : placed_.bodies[body].uses) users[use.half_space].push_back(body);
@@ -427,18 +431,15 @@ class Flattener {
     quantise_others();
     if (!view_.perspective) align_parallels(clans);  // in perspective they are not parallel on the page
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
-      PageHalfSpace& h = half_spaces_[i];
+      const PageHalfSpace& h = half_spaces_[i];
       if (!h.region) continue;
-      auto quantised = quantised_for(i);
-      if (!quantised) {
+      if (!round_half_space(i)) {
         const PlacedHalfSpace& source = placed_.half_spaces[i];
         fail(Severity::limit, source.position,
              "'" + source.name +
                  "' cannot be held to its accuracy in integers: it lies too far away for its size; bring its numbers "
                  "closer together");
-        continue;
       }
-      h.quantised = std::move(*quantised);
     }
     return !is_hopeless();
   }
@@ -458,41 +459,51 @@ class Flattener {
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& plane = surfaces_[uses[k].surface].quantised;
       if (!plane) return std::nullopt;
-      std::copy_n(plane->form.c.begin(), 4, forms[k].begin());
+      const IntegerForm form = seen_from(plane->form, IntegerPoint{});
+      std::copy_n(form.c.begin(), 4, forms[k].begin());
       const RealHalfSpace truth = transformed((*pair)[k], placed_.places[surface.place]);
       const Real off = plane_distance(plane->form, truth, surface.region);
       if (off > plane->bound + mating_limit) return std::nullopt;
       result.bound = larger(result.bound, larger(plane->bound, off));
     }
     add_twice_product(result.form, forms[0], forms[1]);
-    result.form = primitive(result.form);
-    if (uses[0].opposite != uses[1].opposite) result.form = negated(result.form);
+    result.form = primitive(std::move(result.form));
+    if (uses[0].opposite != uses[1].opposite) result.form = negated(std::move(result.form));
     return result;
   }
 
-  // The integers of its surface, with a bound that is measured against the half-space's own truth.
-  [[nodiscard]] std::optional<Quantised> quantised_for(std::size_t half_space) const {
-    const PageHalfSpace& h = half_spaces_[half_space];
+  // By its surface's integers, with a bound that is measured against the half-space's own truth. False: none will do.
+  bool round_half_space(std::size_t half_space) {
+    PageHalfSpace& h = half_spaces_[half_space];
     const PlacedHalfSpace& source = placed_.half_spaces[half_space];
     const Matrix4& place = placed_.places[source.place];
-    if (!h.use) return quantise(source.shape, place, *h.region);
+    if (!h.use) {
+      h.alone = quantise(source.shape, place, *h.region);
+      if (h.alone) h.bound = h.alone->bound;
+      return h.alone.has_value();
+    }
     const Surface& surface = surfaces_[h.use->surface];
-    std::optional<Quantised> result = surface.quantised;
-    if (!result) return result;
+    if (!surface.quantised) return false;
+    h.bound = surface.quantised->bound;
     if (h.shape.kind == HalfSpaceKind::plane) {
-      result->bound = larger(result->bound, plane_distance(result->form, h.shape, *h.region));
+      h.bound = larger(h.bound, plane_distance(surface.quantised->form, h.shape, *h.region));
     } else if (!surface.is_moved) {
-      result->bound += h.use->apart;
+      h.bound += h.use->apart;
     } else {
       const auto off =
           quadric_distance({surface.shape, placed_.places[surface.place]}, {source.shape, place}, *h.region);
-      if (!off) return std::nullopt;
-      result->bound += *off;
+      if (!off) return false;
+      h.bound += *off;
     }
-    return result;
+    return true;
+  }
+
+  [[nodiscard]] const IntegerForm& form_of(const PageHalfSpace& h) const {
+    return h.use ? surfaces_[h.use->surface].quantised->form : h.alone->form;
   }
 
   void build() {
+    result_.scene.bodies.reserve(placed_.bodies.size());
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
       result_.scene.bodies.push_back(build_body(placed_.bodies[i], boxes_[i]));
       for (const IntegerHalfSpace& h : result_.scene.bodies.back().half_spaces) {
@@ -503,6 +514,7 @@ class Flattener {
 
   IntegerBody build_body(PlacedBody& source, const Box& box) {
     IntegerBody body;
+    body.half_spaces.reserve(source.uses.size());
     body.name = std::move(source.name);
     body.position = source.position;
     set_origin(box, body);
@@ -511,14 +523,14 @@ class Flattener {
     for (const HalfSpaceUse& use : source.uses) {
       const PageHalfSpace& h = half_spaces_[use.half_space];
       const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
-      IntegerForm local = seen_from(h.quantised.form, origin);
+      IntegerForm local = seen_from(form_of(h), origin);
       // A leader written the other way round holds where its complement did.
       const bool complement = use.complement != (h.use && h.use->opposite);
       if (options_.boxes && source.uses.size() > 1) {
         sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
       }
       body.half_spaces.push_back({local.kind, std::move(local.c), complement, statement.transparent,
-                                  double_above(h.quantised.bound), statement.name, statement.position});
+                                  double_above(h.bound), statement.name, statement.position});
     }
     if (!options_.boxes) {
       set_dots(scissor_box(), body);

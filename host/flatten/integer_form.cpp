@@ -4,31 +4,37 @@ namespace halfspace {
 
 IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
   IntegerForm result = form;
+  if (origin == form.origin) return result;
+  result.origin = origin;
+  const IntegerPoint shift{origin[0] - form.origin[0], origin[1] - form.origin[1], origin[2] - form.origin[2]};
   auto& c = result.c;
   const auto add = [](mpz_class& sum, const mpz_class& a, const mpz_class& b) {
     mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
   };
   if (form.kind == HalfSpaceKind::plane) {
-    for (std::size_t i = 0; i < 3; ++i) add(c[3], form.c[i], origin[i]);
+    for (std::size_t i = 0; i < 3; ++i) add(c[3], form.c[i], shift[i]);
     return result;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) add(c[6 + i], form.c[quadric_index[i][j]], origin[j]);
+    for (std::size_t j = 0; j < 3; ++j) add(c[6 + i], form.c[quadric_index[i][j]], shift[j]);
   }
-  // value(origin) = sum over i of (linear_i(0) + linear_i(origin)) origin_i + K
+  // value(shift) = sum over i of (linear_i(0) + linear_i(shift)) shift_i + K
   for (std::size_t i = 0; i < 3; ++i) {
-    add(c[9], form.c[6 + i], origin[i]);
-    add(c[9], c[6 + i], origin[i]);
+    add(c[9], form.c[6 + i], shift[i]);
+    add(c[9], c[6 + i], shift[i]);
   }
   return result;
 }
 
 IntegerForm primitive(IntegerForm form) {
   mpz_class common = 0;
-  for (const mpz_class& v : form.c) common = gcd(common, v);
-  if (common > 1) {
-    for (mpz_class& v : form.c) v /= common;
+  for (const mpz_class& v : form.c) {
+    if (sgn(v) == 0) continue;
+    mpz_gcd(common.get_mpz_t(), common.get_mpz_t(), v.get_mpz_t());
+    if (common == 1) return form;
   }
+  if (sgn(common) == 0) return form;
+  for (mpz_class& v : form.c) mpz_divexact(v.get_mpz_t(), v.get_mpz_t(), common.get_mpz_t());
   return form;
 }
 

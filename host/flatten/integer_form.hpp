@@ -12,13 +12,14 @@ namespace halfspace {
 using IntegerPoint = std::array<mpz_class, 3>;
 using IntegerLinear = std::array<mpz_class, 4>;
 
-// Coefficients as in IntegerHalfSpace.
+// Coefficients as in IntegerHalfSpace, seen from a point of the dot frame.
 struct IntegerForm {
   HalfSpaceKind kind = HalfSpaceKind::plane;
   std::array<mpz_class, 10> c;
+  IntegerPoint origin = {};
 };
 
-// The same form seen from `origin`: x = origin + x'. Exact; the common factor stays what it was.
+// The same form seen from elsewhere in the dot frame. Exact; the common factor stays what it was.
 [[nodiscard]] IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin);
 
 // Without its common factor.

@@ -24,12 +24,11 @@ Region around(const Region& a, const Region& b) { return {around(a.box, b.box), 
 LocalBox local_box(const Region& region) {
   const Box& box = region.box;
   LocalBox local;
-  Vector3 centre{};
   for (std::size_t i = 0; i < 3; ++i) {
-    centre[i] = nearest_whole((box.low[i] + box.high[i]) / 2);
-    local.half[i] = larger(larger(box.high[i] - centre[i], centre[i] - box.low[i]), 1);
+    const Real centre = nearest_whole((box.low[i] + box.high[i]) / 2);
+    local.centre[i] = centre;
+    local.half[i] = larger(larger(box.high[i] - centre, centre - box.low[i]), 1);
   }
-  local.origin = round_to_integers(centre);
   local.radius = largest(local.half);
   local.target = region.target;
   return local;
@@ -38,7 +37,7 @@ LocalBox local_box(const Region& region) {
 std::optional<Matrix4> inverse_from(const LocalBox& box, const Matrix4& inverse) {
   Matrix4 shift = identity_matrix;
   for (std::size_t i = 0; i < 3; ++i) {
-    shift[3][i] = to_real(box.origin[i]);
+    shift[3][i] = box.centre[i];
     if (magnitude(shift[3][i]) > box.radius * power_of_two(far_bits)) return std::nullopt;
   }
   return product(shift, inverse);

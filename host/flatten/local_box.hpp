@@ -22,9 +22,9 @@ struct Region {
 // The box of both, and what the body that asks for more asks for.
 [[nodiscard]] Region around(const Region& a, const Region& b);
 
-// Every coordinate of the box is within `half` of 0.
+// Every coordinate of the box is within `half` of its centre, which is the origin of its frame.
 struct LocalBox {
-  IntegerPoint origin;  // in the dot frame
+  Vector3 centre{};  // whole, in the dot frame
   Vector3 half{};
   Real radius = 0;  // of the largest coordinate
   Real target = 0;

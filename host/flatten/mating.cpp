@@ -1,6 +1,7 @@
 #include "host/flatten/mating.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfspace {
 namespace {
@@ -8,21 +9,35 @@ namespace {
 constexpr int agreement_bits = 10;
 constexpr int sameness_bits = 40;
 
-// Cells of the grid per unit; and how far around a surface is looked, in 16ths of a cell: twice as far for the distance of a plane.
-constexpr int fine_bits = 4;
-constexpr Real cells_per_normal = 64;
-const Real cells_per_coefficient = power_of_two(36);
-const Real fine_cells = power_of_two(fine_bits);
-const Real half_a_cell = power_of_two(-1);
+// Two shapes are neighbours where no coordinate differs by more than this.
+constexpr Real normal_reach = 0x1p-10;
+constexpr Real distance_reach = 0x1p-3;
+const Real coefficient_reach = power_of_two(-sameness_bits);
 
-// In cells, the first of which reaches from -1/2 to 1/2.
-std::int64_t fine_cell(Real v) { return floor_within_62_bits((v + half_a_cell) * fine_cells); }
-std::int64_t cell_of(std::int64_t fine) { return fine >> fine_bits; }
-
-std::int64_t fine_reach(const RealHalfSpace& shape, std::size_t coordinate) {
-  return shape.kind == HalfSpaceKind::plane && coordinate == 3 ? 2 : 1;
+Real reach_of(HalfSpaceKind kind, std::size_t coordinate) {
+  if (kind == HalfSpaceKind::quadric) return coefficient_reach;
+  return coordinate == 3 ? distance_reach : normal_reach;
 }
-Real reach_of(const RealHalfSpace& shape, std::size_t coordinate) { return fine_reach(shape, coordinate) / fine_cells; }
+
+// The grid's cells are 16 times as wide, 8 times for the distance of a plane, and the first reaches half its width to either side.
+double cells_per_unit(HalfSpaceKind kind, std::size_t coordinate) {
+  if (kind == HalfSpaceKind::quadric) return 0x1p36;
+  return coordinate == 3 ? 1 : 64;
+}
+
+// Cells of a coordinate's size, whichever its sign, and of its neighbours. The size is right to 2^-53 of itself: 2^-10 of a cell up to
+// 2^43 cells, and all that is further off has one cell.
+struct CellRange {
+  std::int64_t at, low, high;
+};
+CellRange cells_around(HalfSpaceKind kind, std::size_t coordinate, Real v) {
+  if (is_zero(v)) return {0, 0, 0};
+  const double cells = cells_per_unit(kind, coordinate);
+  const double size = std::min(std::abs(static_cast<double>(v)) * cells, 0x1p43) + 0.5;
+  const double reach = static_cast<double>(reach_of(kind, coordinate)) * cells + 0x1p-9;
+  const auto cell = [](double at) { return static_cast<std::int64_t>(std::floor(at)); };
+  return {cell(size), cell(size - reach), cell(size + reach)};
+}
 
 RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
   RealHalfSpace result = plane;
@@ -31,11 +46,6 @@ RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
   const Real size = length({result.c[0], result.c[1], result.c[2]});
   for (Real& v : result.c) v = v / size;
   return result;
-}
-
-RealHalfSpace reversed(RealHalfSpace shape) {
-  for (Real& v : shape.c) v = -v;
-  return shape;
 }
 
 // The most that planes with unit normals are apart in a box.
@@ -64,10 +74,13 @@ RealHalfSpace quadric_seen_from(const RealHalfSpace& quadric, const Vector3& ori
   auto& c = result.c;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real former = c[6 + i];
-    for (std::size_t j = 0; j < 3; ++j) c[6 + i] += quadric.c[quadric_index[i][j]] * origin[j];
-    c[9] += (former + c[6 + i]) * origin[i];
+    for (std::size_t j = 0; j < 3; ++j) add_product(c[6 + i], quadric.c[quadric_index[i][j]], origin[j]);
+    add_product(c[9], former + c[6 + i], origin[i]);
   }
-  for (std::size_t i = 0; i < 9; ++i) c[i] *= i < 6 ? size * size : size;
+  const Real square = size * size;
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (!is_zero(c[i])) c[i] *= i < 6 ? square : size;
+  }
   return normalised(result);
 }
 
@@ -82,17 +95,18 @@ std::size_t SurfaceMating::KeyHash::operator()(const Key& key) const {
   return hash;
 }
 
-// Planes and quadrics share the cells: what they are compared by tells them apart.
 SurfaceMating::Position SurfaceMating::position_of(const RealHalfSpace& shape) const {
+  if (shape.kind == HalfSpaceKind::quadric) return quadric_seen_from(shape, middle_, page_size_).c;
   Position position{};
-  if (shape.kind == HalfSpaceKind::plane) {
-    for (std::size_t i = 0; i < 3; ++i) position[i] = shape.c[i] * cells_per_normal;
-    position[3] = shape.c[3] + dot({shape.c[0], shape.c[1], shape.c[2]}, middle_);
-    return position;
-  }
-  const RealHalfSpace seen = quadric_seen_from(shape, middle_, page_size_);
-  for (std::size_t i = 0; i < 10; ++i) position[i] = seen.c[i] * cells_per_coefficient;
+  std::copy_n(shape.c.begin(), 3, position.begin());
+  position[3] = shape.c[3] + dot({shape.c[0], shape.c[1], shape.c[2]}, middle_);
   return position;
+}
+
+SurfaceMating::Candidate SurfaceMating::reversed(Candidate candidate) {
+  for (Real& v : candidate.surface.on_page.c) v = -v;
+  for (Real& v : candidate.position) v = -v;
+  return candidate;
 }
 
 std::optional<Real> SurfaceMating::plane_apart(const Candidate& candidate, const Leader& leader) {
@@ -116,38 +130,44 @@ std::optional<Real> SurfaceMating::apart(const Candidate& candidate, const Leade
   const RealHalfSpace& shape = candidate.surface.on_page;
   if (leader.surface.on_page.kind != shape.kind) return std::nullopt;
   for (std::size_t i = 0; i < 10; ++i) {
-    if (magnitude(candidate.position[i] - leader.position[i]) > reach_of(shape, i)) return std::nullopt;
+    if (magnitude(candidate.position[i] - leader.position[i]) > reach_of(shape.kind, i)) return std::nullopt;
   }
   return shape.kind == HalfSpaceKind::plane ? plane_apart(candidate, leader) : quadric_apart(candidate, leader);
 }
 
-// Looks in the cells of the corners around the position: most often all one cell.
+void SurfaceMating::offer(const Candidate& candidate, std::size_t leader, bool opposite,
+                          std::optional<Match>& best) const {
+  if (best && leader >= best->leader) return;
+  const auto distance = apart(candidate, leaders_[leader]);
+  if (distance && *distance <= power_of_two(-agreement_bits)) best = Match{leader, opposite, *distance};
+}
+
+// The first leader that agrees, as it is written if both ways do. Cells do not tell a surface from its reverse; neighbours lie in those
+// of the corners around the position, most often all one cell.
 std::optional<SurfaceMating::Match> SurfaceMating::find(const Candidate& candidate) const {
-  std::vector<Key> corners(1);
+  Key low{};
+  Key high{};
+  unsigned split = 0;  // which coordinates
   for (std::size_t i = 0; i < 10; ++i) {
-    const std::int64_t at = fine_cell(candidate.position[i]);
-    const std::int64_t around = fine_reach(candidate.surface.on_page, i);
-    const std::int64_t low = cell_of(at - around);
-    const std::int64_t high = cell_of(at + around);
-    const std::size_t count = corners.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      corners[k][i] = low;
-      if (high == low) continue;
-      corners.push_back(corners[k]);
-      corners.back()[i] = high;
-    }
+    const CellRange cells = cells_around(candidate.surface.on_page.kind, i, candidate.position[i]);
+    low[i] = cells.low;
+    high[i] = cells.high;
+    if (low[i] != high[i]) split |= 1U << i;
   }
   std::optional<Match> best;
-  for (const Key& key : corners) {
-    const auto found = cells_.find(key);
-    if (found == cells_.end()) continue;
-    for (const std::size_t leader : found->second) {
-      if (best && leader >= best->leader) continue;
-      const auto distance = apart(candidate, leaders_[leader]);
-      if (distance && *distance <= power_of_two(-agreement_bits)) best = Match{leader, false, *distance};
+  for (unsigned upper = split;; upper = (upper - 1) & split) {
+    Key key = low;
+    for (std::size_t i = 0; i < 10; ++i) {
+      if ((upper >> i & 1U) != 0) key[i] = high[i];
     }
+    if (const auto found = cells_.find(key); found != cells_.end()) {
+      for (const std::size_t leader : found->second) {
+        offer(candidate, leader, false, best);
+        offer(reversed(candidate), leader, true, best);
+      }
+    }
+    if (upper == 0) return best;
   }
-  return best;
 }
 
 void SurfaceMating::enlist(const Candidate& candidate, Leader& leader) {
@@ -162,30 +182,19 @@ void SurfaceMating::enlist(const Candidate& candidate, Leader& leader) {
 
 SurfaceMating::Match SurfaceMating::add(const MatingSurface& surface, const Region& region,
                                         const std::vector<std::uint32_t>& bodies) {
-  const bool is_plane = surface.on_page.kind == HalfSpaceKind::plane;
+  const HalfSpaceKind kind = surface.on_page.kind;
   MatingSurface own = surface;
-  if (is_plane) own.on_page = with_unit_normal(own.on_page);
-  MatingSurface back = own;
-  back.on_page = reversed(own.on_page);
-  const Candidate as_written{own, position_of(own.on_page), region, bodies};
-  Position opposed = as_written.position;
-  for (Real& v : opposed) v = -v;
-  const Candidate reversed_one{back, opposed, region, bodies};
-
-  const auto same = find(as_written);
-  const auto opposite = find(reversed_one);
-  if (same || opposite) {
-    const bool is_opposite = opposite && (!same || opposite->leader < same->leader);
-    Match match = is_opposite ? *opposite : *same;
-    match.opposite = is_opposite;
-    enlist(as_written, leaders_[match.leader]);
-    return match;
+  if (kind == HalfSpaceKind::plane) own.on_page = with_unit_normal(own.on_page);
+  const Candidate candidate{own, position_of(own.on_page), region, bodies};
+  if (const auto match = find(candidate)) {
+    enlist(candidate, leaders_[match->leader]);
+    return *match;
   }
   Key key{};
-  for (std::size_t i = 0; i < 10; ++i) key[i] = cell_of(fine_cell(as_written.position[i]));
+  for (std::size_t i = 0; i < 10; ++i) key[i] = cells_around(kind, i, candidate.position[i]).at;
   cells_[key].push_back(leaders_.size());
-  leaders_.push_back({own, as_written.position, region, region, {}, {}});
-  enlist(as_written, leaders_.back());
+  leaders_.push_back({own, candidate.position, region, region, {}, {}});
+  enlist(candidate, leaders_.back());
   return {leaders_.size() - 1, false, 0};
 }
 

@@ -39,8 +39,12 @@ class SurfaceMating {
     Real apart = 0;          // dots: how far it is from the leader in its own region
   };
 
-  // Of a page of this size, whose middle is at vrp's depth.
-  SurfaceMating(const Vector3& middle, Real page_size) : middle_(middle), page_size_(page_size) {}
+  // Of a page of this size, whose middle is at vrp's depth. `surfaces` are expected.
+  SurfaceMating(const Vector3& middle, Real page_size, std::size_t surfaces = 0)
+      : middle_(middle), page_size_(page_size) {
+    leaders_.reserve(surfaces);
+    cells_.reserve(surfaces);
+  }
 
   // `bodies` use it.
   Match add(const MatingSurface& surface, const Region& region, const std::vector<std::uint32_t>& bodies);
@@ -51,12 +55,12 @@ class SurfaceMating {
 
  private:
   using Key = std::array<std::int64_t, 10>;
-  using Position = std::array<Real, 10>;  // in cells of the grid
+  using Position = std::array<Real, 10>;  // what neighbours agree in
   struct KeyHash {
     std::size_t operator()(const Key& key) const;
   };
   struct Candidate {
-    const MatingSurface& surface;
+    MatingSurface surface;
     Position position;
     const Region& region;
     const std::vector<std::uint32_t>& bodies;
@@ -71,7 +75,10 @@ class SurfaceMating {
   };
 
   [[nodiscard]] Position position_of(const RealHalfSpace& shape) const;
+  [[nodiscard]] static Candidate reversed(Candidate candidate);
   [[nodiscard]] std::optional<Match> find(const Candidate& candidate) const;
+  // Takes the leader if it agrees and comes before the best so far.
+  void offer(const Candidate& candidate, std::size_t leader, bool opposite, std::optional<Match>& best) const;
   // None where the two have to stay two.
   [[nodiscard]] static std::optional<Real> apart(const Candidate& candidate, const Leader& leader);
   [[nodiscard]] static std::optional<Real> plane_apart(const Candidate& candidate, const Leader& leader);

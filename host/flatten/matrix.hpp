@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "host/flatten/integer_scene.hpp"
 #include "host/flatten/real.hpp"
@@ -15,7 +16,18 @@ using Vector3 = std::array<Real, 3>;
 using Vector4 = std::array<Real, 4>;
 using Matrix4 = std::array<Vector4, 4>;
 
-inline Real dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+// Most entries of a placement are 0 or 1, and a product in software is not free.
+inline void add_product(Real& sum, Real a, Real b) {
+  if (is_zero(a) || is_zero(b)) return;
+  const Real product = a == Real(1) ? b : a * b;
+  sum = is_zero(sum) ? product : sum + product;
+}
+
+inline Real dot(const Vector3& a, const Vector3& b) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) add_product(sum, a[i], b[i]);
+  return sum;
+}
 inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -31,13 +43,6 @@ inline Vector3 unit(const Vector3& v) {
 }
 
 inline constexpr Matrix4 identity_matrix{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
-
-// Most entries of a placement are 0 or 1, and a product in software is not free.
-inline void add_product(Real& sum, Real a, Real b) {
-  if (is_zero(a) || is_zero(b)) return;
-  const Real product = a == Real(1) ? b : a * b;
-  sum = is_zero(sum) ? product : sum + product;
-}
 
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
   Matrix4 result{};
@@ -106,8 +111,14 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
 inline RealHalfSpace normalised(RealHalfSpace h) {
   Real most = 0;
   for (const Real v : h.c) most = larger(most, magnitude(v));
-  if (most == 0) return h;
-  for (Real& v : h.c) v = v / most;
+  if (most == 0 || !finite(most)) return h;
+  Real former = most;
+  Real quotient = 1;
+  for (Real& v : h.c) {
+    if (is_zero(v)) continue;
+    if (v != former) quotient = v / most;  // a sphere has three coefficients of one size
+    former = std::exchange(v, quotient);
+  }
   return h;
 }
 

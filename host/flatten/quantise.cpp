@@ -1,6 +1,7 @@
 #include "host/flatten/quantise.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "host/flatten/family.hpp"
 #include "host/flatten/least_scale.hpp"
@@ -72,15 +73,20 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
 // A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
 class RoundedSphere {
  public:
-  RoundedSphere(const Vector3& centre, Real square)
-      : centre_(centre), square_(square), near_square_(static_cast<double>(square)) {
+  RoundedSphere(const Vector3& centre, Real square, Real target)
+      : centre_(centre),
+        square_(square),
+        target_(target),
+        near_square_(static_cast<double>(square)),
+        near_target_(static_cast<double>(target)) {
     for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
   }
 
-  [[nodiscard]] bool holds(Real scale, Real target) const {
-    if (const auto certain = holds_in_doubles(static_cast<double>(scale), static_cast<double>(target))) return *certain;
+  [[nodiscard]] bool holds(int bits) const {
+    if (const auto certain = holds_in_doubles(std::ldexp(1, bits))) return *certain;
+    const Real scale = power_of_two(bits);
     const Real r2 = squared_radius(scale);
-    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target;
+    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target_;
   }
 
   [[nodiscard]] Real bound(Real scale) const {
@@ -89,19 +95,17 @@ class RoundedSphere {
     return bound;
   }
 
-  [[nodiscard]] IntegerForm form(Real scale, int sign) const {
+  [[nodiscard]] IntegerForm form(int bits) const {
     IntegerForm result{HalfSpaceKind::quadric, {}};
-    const mpz_class side = sign * round_to_integer(scale);
+    const auto shift = static_cast<mp_bitcnt_t>(bits);
+    const Real scale = power_of_two(bits);
     mpz_class& constant = result.c[9];
-    constant = -round_to_integer(square_ * scale * scale);
+    constant = round_to_integer(-square_ * scale * scale);
     for (std::size_t i = 0; i < 3; ++i) {
-      const mpz_class m = round_to_integer(centre_[i] * scale);
-      result.c[i] = side * side;
-      result.c[6 + i] = -side * m;
-      constant += m * m;
-    }
-    if (sign < 0) {
-      for (std::size_t i : {0, 1, 2, 9}) result.c[i] = -result.c[i];
+      const mpz_class m = round_to_integer(-centre_[i] * scale);
+      mpz_setbit(result.c[i].get_mpz_t(), 2 * shift);
+      mpz_mul_2exp(result.c[6 + i].get_mpz_t(), m.get_mpz_t(), shift);
+      mpz_addmul(constant.get_mpz_t(), m.get_mpz_t(), m.get_mpz_t());
     }
     return result;
   }
@@ -109,18 +113,18 @@ class RoundedSphere {
  private:
   // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
   // at most, and then the radius by less than that over r scale^2.
-  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale, double target) const {
+  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale) const {
     if (!(near_square_ * scale * scale >= 2)) return std::nullopt;
     double sum_of_squares = 0;
-    double slack = target * 0x1p-40;
+    double slack = near_target_ * 0x1p-40;
     for (const double c : near_centre_) {
       const double off = std::rint(c * scale) / scale - c;
       sum_of_squares += off * off;
       slack += std::abs(c) * 0x1p-50;
     }
     const double off = std::sqrt(sum_of_squares);
-    if (off > target + slack) return false;
-    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < target) return true;
+    if (off > near_target_ + slack) return false;
+    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < near_target_) return true;
     return std::nullopt;
   }
 
@@ -132,9 +136,9 @@ class RoundedSphere {
   }
 
   Vector3 centre_;
-  Real square_;
+  Real square_, target_;
   std::array<double, 3> near_centre_{};
-  double near_square_;
+  double near_square_, near_target_;
 };
 
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
@@ -143,10 +147,12 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
   for (const SquareTerm& term : reduced.squares) {
     centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
   }
-  const RoundedSphere sphere(centre, -reduced.constant() / weight);
-  const auto scale = least_scale([&](Real s) { return sphere.holds(s, box.target); });
-  if (!scale) return std::nullopt;
-  return Quantised{sphere.form(*scale, weight < 0 ? -1 : 1), sphere.bound(*scale)};
+  const RoundedSphere sphere(centre, -reduced.constant() / weight, box.target);
+  const auto bits = with_least_bits(
+      0, scale_limit, [&](int trial) { return sphere.holds(trial) ? std::optional(trial) : std::nullopt; });
+  if (!bits) return std::nullopt;
+  IntegerForm form = sphere.form(*bits);
+  return Quantised{weight < 0 ? negated(std::move(form)) : std::move(form), sphere.bound(power_of_two(*bits))};
 }
 
 // The least of |gradient / 2|^2 on a central quadric sum w l^2 = -constant is |constant| times the least weight of
@@ -236,8 +242,8 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   if (!result)
     result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local, least_bits);
   if (!result) return std::nullopt;
-  const IntegerPoint back{-local.origin[0], -local.origin[1], -local.origin[2]};
-  result->form = primitive(seen_from(result->form, back));
+  result->form = primitive(std::move(result->form));
+  result->form.origin = round_to_integers(local.centre);
   return result;
 }
 
@@ -292,10 +298,8 @@ std::optional<Real> quadric_distance(const PlacedShape& a, const PlacedShape& tr
 // On the true plane b the value of a is that of a - t b for any t, of which the least is taken.
 Real plane_distance(const IntegerForm& plane, const RealHalfSpace& truth, const Region& region) {
   const LocalBox local = local_box(region);
-  Vector3 origin{};
-  for (std::size_t i = 0; i < 3; ++i) origin[i] = to_real(local.origin[i]);
-  const RealHalfSpace a = seen_from(to_real(plane), origin);
-  const RealHalfSpace b = seen_from(truth, origin);
+  const RealHalfSpace a = seen_from(to_real(seen_from(plane, IntegerPoint{})), local.centre);
+  const RealHalfSpace b = seen_from(truth, local.centre);
   const Real size = length({a.c[0], a.c[1], a.c[2]});
   std::optional<Real> least;
   for (std::size_t pivot = 0; pivot < 4; ++pivot) {

@@ -15,7 +15,7 @@ namespace halfspace {
 inline constexpr int small_quadric_bits = 32;
 
 struct Quantised {
-  IntegerForm form;  // in the dot frame of the page
+  IntegerForm form;  // seen from the middle of the region
   Real bound = 0;
   int bits = 0;  // of its forms' scale, where it is rounded as a sum of squares
 };

@@ -109,33 +109,39 @@ constexpr mpfr_prec_t working_bits = 192;
 Real zero(bool negative) { return Real::of_bits(Bits128{negative} << 127); }
 
 // Infinite and nan, 0 and subnormal.
-bool is_special(int exponent_bits) { return exponent_bits == 0 || exponent_bits == 0x7fff; }
+bool is_special(Real v) { return static_cast<unsigned>(v.exponent_bits()) - 1U >= 0x7ffeU; }
 
-// The product of two 128-bit numbers.
-struct Product {
-  Bits128 high, low;
-};
-Product full_product(Bits128 a, Bits128 b) {
-  const auto a0 = static_cast<std::uint64_t>(a);
-  const auto a1 = static_cast<std::uint64_t>(a >> 64);
-  const auto b0 = static_cast<std::uint64_t>(b);
-  const auto b1 = static_cast<std::uint64_t>(b >> 64);
-  const Bits128 low = Bits128{a0} * b0;
-  const Bits128 left = Bits128{a1} * b0 + (low >> 64);                        // below 2^128: (2^64 - 1)^2 + 2^64 - 1
-  const Bits128 right = Bits128{a0} * b1 + static_cast<std::uint64_t>(left);  // likewise
-  return {Bits128{a1} * b1 + (left >> 64) + (right >> 64), right << 64 | static_cast<std::uint64_t>(low)};
+Words words_of(Bits128 v) { return {static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(v >> 64)}; }
+
+// The mantissa's leading bit at bit 127.
+Words aligned_mantissa(Real v) {
+  const auto [low, high] = v.words();
+  return {low << 15, high << 15 | low >> 49 | std::uint64_t{1} << 63};
 }
 
 // +-top * 2^(biased exponent of its leading bit, which is bit 127), to the nearest, ties to even; `more`: bits below are not all 0.
-Real rounded(Bits128 top, bool more, int biased, bool negative) {
+Real rounded(Words top, bool more, int biased, bool negative) {
   constexpr int dropped = 127 - fraction_bits;
-  const Bits128 mantissa = top >> dropped;
-  const auto rest = (static_cast<unsigned>(top) & ((1U << dropped) - 1)) << 1 | (more ? 1U : 0U);
-  const bool up = rest + (static_cast<unsigned>(mantissa) & 1U) > 1U << dropped;
-  // A carry out of the mantissa raises the exponent and leaves 0.
-  const Bits128 size =
-      (Bits128{static_cast<unsigned>(biased)} << fraction_bits) + (mantissa - hidden_bit) + (up ? 1 : 0);
-  return Real::of_bits(Bits128{negative} << 127 | size);
+  std::uint64_t low = top.low >> dropped | top.high << (64 - dropped);
+  std::uint64_t high = top.high >> dropped;  // with the hidden bit, which raises the exponent by 1
+  const std::uint64_t rest = (top.low & ((1U << dropped) - 1)) << 1 | (more ? 1U : 0U);
+  const std::uint64_t up = rest + (low & 1U) > 1U << dropped ? 1 : 0;
+  low += up;
+  high += low < up ? 1 : 0;  // a carry out of the mantissa raises the exponent and leaves 0
+  high += static_cast<std::uint64_t>(biased - 1) << 48;
+  return Real::of_words({low, high | (negative ? std::uint64_t{1} << 63 : 0)});
+}
+
+// What is 0, infinite, nan or beyond the normal range.
+[[gnu::noinline]] Real special_product(Real a, Real b) {
+  if ((is_zero(a) && finite(b)) || (is_zero(b) && finite(a))) return zero(a.has_sign() != b.has_sign());
+  return Real::of(a.native() * b.native());
+}
+
+// Of numbers that are special, or so far apart that the smaller one only tells where the larger is rounded to.
+[[gnu::noinline]] Real distant_sum(Real larger, Real smaller) {
+  if (is_zero(smaller) && !is_zero(larger)) return larger;
+  return Real::of(larger.native() + smaller.native());
 }
 
 // Up to 34 digits and 10^48 are whole numbers that 113 bits hold, the powers as 5^n 2^n: one product or quotient of them is rounded once.
@@ -177,31 +183,57 @@ std::optional<Real> short_decimal(const std::string& text) {
 
 Real operator*(Real a, Real b) {
   const int exponent = a.exponent_bits() + b.exponent_bits() - exponent_bias;
-  if ((is_zero(a) && finite(b)) || (is_zero(b) && finite(a))) return zero(a.has_sign() != b.has_sign());
-  const bool special = is_special(a.exponent_bits()) || is_special(b.exponent_bits());
-  if (special || exponent < 1 || exponent > 0x7ffc) return Real::of(a.native() * b.native());
-  auto [high, low] = full_product(mantissa_of(a) << 15, mantissa_of(b) << 15);  // 2^254 at least
-  const bool long_one = high >> 127 != 0;
-  if (!long_one) high = high << 1 | low >> 127;
-  return rounded(high, (long_one ? low : low << 1) != 0, exponent + (long_one ? 1 : 0), a.has_sign() != b.has_sign());
+  if (is_special(a) || is_special(b) || exponent < 1 || exponent > 0x7ffc) return special_product(a, b);
+  const Words u = aligned_mantissa(a);
+  const Words v = aligned_mantissa(b);
+  // The product is 2^254 at least; `left` is below 2^128, as (2^64 - 1)^2 + 2^64 - 1 is, and so is `right`.
+  const Bits128 low = Bits128{u.low} * v.low;
+  const Bits128 left = Bits128{u.high} * v.low + (low >> 64);
+  const Bits128 right = Bits128{u.low} * v.high + static_cast<std::uint64_t>(left);
+  const Words top = words_of(Bits128{u.high} * v.high + (left >> 64) + (right >> 64));
+  const auto next = static_cast<std::uint64_t>(right);
+  // Where its first bit is 0, once more: by a shift rather than by a branch that nobody can predict.
+  const auto up = static_cast<int>(~top.high >> 63);
+  const Words aligned{top.low << up | (next >> 63 & static_cast<unsigned>(up)),
+                      top.high << up | (top.low >> 63 & static_cast<unsigned>(up))};
+  const bool more = (static_cast<std::uint64_t>(low) | next << up) != 0;
+  return rounded(aligned, more, exponent + 1 - up, a.has_sign() != b.has_sign());
 }
 
 // With 14 bits more and what is beyond them in the last: enough, as only terms of equal or neighbouring exponents cancel more than one
 // bit, and they lose none.
 Real operator+(Real a, Real b) {
-  if (a.size_bits() < b.size_bits()) std::swap(a, b);
-  const int exponent = a.exponent_bits();
-  if (is_zero(b) && !is_zero(a)) return a;
-  if (is_special(b.exponent_bits()) || exponent < 128 || exponent > 0x7ffd) return Real::of(a.native() + b.native());
-  const int apart = exponent - b.exponent_bits();
-  const Bits128 larger = mantissa_of(a) << 14;
-  const Bits128 whole = mantissa_of(b) << 14;
-  const Bits128 cut = apart < 127 ? whole >> apart : 0;
-  const Bits128 smaller = cut | (apart > 14 && (apart >= 127 || cut << apart != whole) ? 1 : 0);
-  const Bits128 sum = a.has_sign() == b.has_sign() ? larger + smaller : larger - smaller;
+  // Without branches that nobody can predict.
+  const auto [a_low, a_high] = a.words();
+  const auto [b_low, b_high] = b.words();
+  const std::uint64_t change = a.size_bits() < b.size_bits() ? ~std::uint64_t{0} : 0;
+  const std::uint64_t low_change = (a_low ^ b_low) & change;
+  const std::uint64_t high_change = (a_high ^ b_high) & change;
+  const Real larger = Real::of_words({a_low ^ low_change, a_high ^ high_change});
+  const Real smaller = Real::of_words({b_low ^ low_change, b_high ^ high_change});
+  const int exponent = larger.exponent_bits();
+  const int apart = exponent - smaller.exponent_bits();
+  if (is_special(smaller) || exponent < 128 || exponent > 0x7ffd || apart > 126) return distant_sum(larger, smaller);
+  const Bits128 whole = mantissa_of(smaller) << 14;
+  const Bits128 cut = whole >> apart;
+  const Bits128 lost = whole & ((Bits128{1} << apart) - 1);
+  const Bits128 term = cut | (lost != 0 ? 1 : 0);
+  const Bits128 turned = Bits128{0} - ((a_high ^ b_high) >> 63);
+  const Bits128 sum = (mantissa_of(larger) << 14) + ((term ^ turned) - turned);
   if (sum == 0) return 0;
   const int up = 128 - bit_width(sum);
-  return rounded(sum << up, false, exponent + 1 - up, a.has_sign());
+  return rounded(words_of(sum << up), false, exponent + 1 - up, larger.has_sign());
+}
+
+// Most quotients are halves, and a power of two leaves the mantissa.
+Real operator/(Real a, Real b) {
+  const bool negative = a.has_sign() != b.has_sign();
+  if (is_zero(a) && !is_special(b)) return zero(negative);
+  const int exponent = a.exponent_bits() - b.exponent_bits() + exponent_bias;
+  const bool is_power = (b.bits() & (hidden_bit - 1)) == 0;
+  if (!is_power || is_special(a) || is_special(b) || exponent < 1 || exponent > 0x7ffe)
+    return Real::of(a.native() / b.native());
+  return rounded(aligned_mantissa(a), false, exponent, negative);
 }
 
 Real power_of_two(int exponent) {

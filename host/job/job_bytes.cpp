@@ -1,5 +1,7 @@
 #include "host/job/job_bytes.hpp"
 
+#include <algorithm>
+
 namespace halfspace {
 
 void JobBytes::unsigned_number(std::uint64_t value) {
@@ -16,16 +18,22 @@ void JobBytes::number(std::int64_t value) {
 }
 
 void JobBytes::wide(const mpz_class& value) {
-  // n bytes hold -2^(8n-1) .. 2^(8n-1) - 1; a negative value -v is written as the complement of v - 1.
-  const bool negative = sgn(value) < 0;
-  const mpz_class below = negative ? mpz_class(-value - 1) : mpz_class();
-  const mpz_srcptr bits = negative ? below.get_mpz_t() : value.get_mpz_t();
-  const std::size_t length = sgn(value) == 0 ? 0 : (mpz_sgn(bits) == 0 ? 0 : mpz_sizeinbase(bits, 2)) / 8 + 1;
+  if (sgn(value) == 0) return byte(0);
+  // n bytes hold -2^(8n-1) .. 2^(8n-1) - 1; a negative value -v is the complement of v, and 1 more: of v's lowest 1 and what is below
+  // it nothing changes.
   static_assert(GMP_NUMB_BITS == 64);
+  const mpz_srcptr size = value.get_mpz_t();
+  const bool negative = sgn(value) < 0;
+  const std::size_t bits = mpz_sizeinbase(size, 2);
+  const bool is_power = negative && mpn_scan1(mpz_limbs_read(size), 0) + 1 == bits;
+  const std::size_t length = (is_power ? bits - 1 : bits) / 8 + 1;
   byte(static_cast<std::uint8_t>(length));
-  for (std::size_t i = 0; i < length; ++i) {
-    const auto part = static_cast<std::uint8_t>(mpz_getlimbn(bits, static_cast<mp_size_t>(i / 8)) >> (8 * (i % 8)));
-    byte(negative ? static_cast<std::uint8_t>(~part) : part);
+  bool carry = negative;
+  for (std::size_t i = 0; i < length; i += 8) {
+    mp_limb_t limb = mpz_getlimbn(size, static_cast<mp_size_t>(i / 8));
+    if (negative) limb = ~limb + (carry ? 1 : 0);
+    carry = carry && limb == 0;
+    for (std::size_t k = i; k < std::min(i + 8, length); ++k, limb >>= 8) byte(static_cast<std::uint8_t>(limb));
   }
 }
 

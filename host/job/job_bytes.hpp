@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace halfspace {
@@ -15,6 +16,12 @@ class JobBytes {
   void number(std::int64_t value);            // zigzag varint
   void wide(const mpz_class& value);          // length, then two's complement
 
+  void append(std::span<const std::uint8_t> bytes) { bytes_.insert(bytes_.end(), bytes.begin(), bytes.end()); }
+
+  [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+  [[nodiscard]] std::span<const std::uint8_t> between(std::size_t first, std::size_t last) const {
+    return std::span(bytes_).subspan(first, last - first);
+  }
   [[nodiscard]] std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:

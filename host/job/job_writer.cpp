@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <queue>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "firmware/core/memory_source.hpp"
 #include "host/job/job_bytes.hpp"
@@ -21,25 +23,26 @@ struct Lifetime {
   std::uint32_t slot = 0;
 };
 
-// Assigns slots in order of entry, the lowest free one first; returns how many are needed.
-std::int32_t assign_slots(std::vector<Lifetime>& lives) {
+// Assigns slots in order of entry, the lowest free one first; returns how many are needed. Lines are 0 .. lines - 1.
+std::int32_t assign_slots(std::vector<Lifetime>& lives, std::int32_t lines) {
   std::stable_sort(lives.begin(), lives.end(), [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
-  using Busy = std::pair<std::int32_t, std::uint32_t>;  // last line, slot
-  std::priority_queue<Busy, std::vector<Busy>, std::greater<>> busy;
+  constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<std::uint32_t> last_of(static_cast<std::size_t>(lines), none);  // a life that ends on the line
+  std::vector<std::uint32_t> next(lives.size());                              // another that does
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
   std::uint32_t count = 0;
-  for (Lifetime& life : lives) {
-    while (!busy.empty() && busy.top().first < life.y0) {
-      free.push(busy.top().second);
-      busy.pop();
+  std::int32_t line = 0;
+  for (std::uint32_t i = 0; i < lives.size(); ++i) {
+    for (; line < lives[i].y0; ++line) {
+      for (std::uint32_t k = last_of[static_cast<std::size_t>(line)]; k != none; k = next[k]) free.push(lives[k].slot);
     }
     if (free.empty()) {
-      life.slot = count++;
+      lives[i].slot = count++;
     } else {
-      life.slot = free.top();
+      lives[i].slot = free.top();
       free.pop();
     }
-    busy.emplace(life.y1, life.slot);
+    next[i] = std::exchange(last_of[static_cast<std::size_t>(lives[i].y1)], i);
   }
   return static_cast<std::int32_t>(count);
 }
@@ -60,6 +63,7 @@ class JobWriter {
                     std::to_string(largest_pool) + ": draw the scene smaller or in parts");
     }
     if (!result_.diagnostics.empty()) return std::move(result_);
+    write_forms();
     make_header();
     result_.header.needs.spans = scene_.scissor.x1 - scene_.scissor.x0 + 1;  // spans of a line share no dot
     result_.bytes = bytes();
@@ -91,8 +95,11 @@ class JobWriter {
   std::int32_t measure() const;
   std::vector<std::uint8_t> bytes() const;
   void write_header(JobBytes& out) const;
-  void write_face(JobBytes& out, const Event& event, std::uint64_t delta) const;
-  void write_arc(JobBytes& out, const Event& event) const;
+  void write_face(std::uint32_t index);
+  void write_arc(std::uint32_t index);
+  void write_forms();
+  [[nodiscard]] std::span<const std::uint8_t> face_form(std::uint32_t index) const;
+  [[nodiscard]] std::span<const std::uint8_t> arc_form(std::uint32_t index) const;
   std::int64_t start_x(const Arc& arc) const;
 
   const IntegerScene& scene_;
@@ -102,6 +109,10 @@ class JobWriter {
   std::vector<Event> events_;
   std::vector<std::uint32_t> face_slot_, arc_slot_;
   std::vector<ArcKind> kinds_;
+  // What of faces and arcs is the same wherever their records stand: written in their order, in which their integers lie in memory.
+  JobBytes forms_;
+  std::vector<Record> face_record_;
+  std::vector<std::size_t> face_end_, arc_end_;
 };
 
 // Every face's forms, and any two depths, must fit the core's widths.
@@ -186,9 +197,9 @@ void JobWriter::collect() {
   }
   std::erase_if(faces, [](const Lifetime& life) { return life.y1 < life.y0; });
   JobNeeds& needs = result_.header.needs;
-  needs.faces = assign_slots(faces);
-  needs.arcs = assign_slots(arcs);
-  needs.cells = assign_slots(cells);
+  needs.faces = assign_slots(faces, scene_.height);
+  needs.arcs = assign_slots(arcs, scene_.height);
+  needs.cells = assign_slots(cells, scene_.height);
   face_slot_.resize(resolved_.faces.size());
   arc_slot_.resize(resolved_.arcs.size());
   for (const Lifetime& l : faces) {
@@ -268,16 +279,14 @@ void JobWriter::write_header(JobBytes& out) const {
   for (const std::int32_t need : {n.faces, n.arcs, n.cells, n.spans, n.arc_bytes, n.exact_bits}) out.number(need);
 }
 
-void JobWriter::write_face(JobBytes& out, const Event& event, std::uint64_t delta) const {
-  const Face& face = resolved_.faces[event.item];
+void JobWriter::write_face(std::uint32_t index) {
+  const Face& face = resolved_.faces[index];
   const IntegerBody& body = scene_.bodies[face.body];
   const IntegerHalfSpace& h = body.half_spaces[face.half_space];
   const bool plane = h.kind == HalfSpaceKind::plane;
-  const bool root = !plane && h.c[2] != 0;
-  out.byte(static_cast<std::uint8_t>(plane ? Record::plane_face : root ? Record::root_face : Record::rational_face));
-  out.number(static_cast<std::int64_t>(delta));
-  out.number(event.slot);
-  out.unsigned_number(event.item);  // faces are listed in tie order
+  face_record_.push_back(plane ? Record::plane_face : h.c[2] != 0 ? Record::root_face : Record::rational_face);
+  JobBytes& out = forms_;
+  out.unsigned_number(index);  // faces are listed in tie order
   for (const std::int64_t o : body.origin) out.number(o);
   // The core wants the z or z^2 coefficient positive; turning all signs turns the gradient too.
   const bool turn = h.c[2] < 0;
@@ -347,10 +356,10 @@ void write_form(JobBytes& out, const QuarticForm& form) {
   for (const mpz_class& c : form.q) out.wide(c);
 }
 
-void JobWriter::write_arc(JobBytes& out, const Event& event) const {
-  const Arc& arc = resolved_.arcs[event.item];
-  out.number(event.slot);
-  out.number(static_cast<int>(kinds_[event.item]));
+void JobWriter::write_arc(std::uint32_t index) {
+  const Arc& arc = resolved_.arcs[index];
+  JobBytes& out = forms_;
+  out.number(static_cast<int>(kinds_[index]));
   out.number(scene_.bodies[arc.body].origin[0]);
   out.number(scene_.bodies[arc.body].origin[1]);
   out.number(arc.y1);
@@ -367,6 +376,28 @@ void JobWriter::write_arc(JobBytes& out, const Event& event) const {
   if (const auto* quartic = std::get_if<QuarticForm>(&arc.form)) write_form(out, *quartic);
 }
 
+void JobWriter::write_forms() {
+  face_end_.resize(resolved_.faces.size());
+  arc_end_.resize(resolved_.arcs.size());
+  for (std::uint32_t i = 0; i < face_end_.size(); ++i) {
+    write_face(i);
+    face_end_[i] = forms_.size();
+  }
+  for (std::uint32_t i = 0; i < arc_end_.size(); ++i) {
+    write_arc(i);
+    arc_end_[i] = forms_.size();
+  }
+}
+
+std::span<const std::uint8_t> JobWriter::face_form(std::uint32_t index) const {
+  return forms_.between(index == 0 ? 0 : face_end_[index - 1], face_end_[index]);
+}
+
+std::span<const std::uint8_t> JobWriter::arc_form(std::uint32_t index) const {
+  const std::size_t first = face_end_.empty() ? 0 : face_end_.back();
+  return forms_.between(index == 0 ? first : arc_end_[index - 1], arc_end_[index]);
+}
+
 std::vector<std::uint8_t> JobWriter::bytes() const {
   JobBytes out;
   write_header(out);
@@ -380,24 +411,24 @@ std::vector<std::uint8_t> JobWriter::bytes() const {
     const auto start = [&](Record type) {
       out.byte(static_cast<std::uint8_t>(type));
       out.number(static_cast<std::int64_t>(delta));
+      out.number(event.slot);
     };
     switch (event.kind) {
       case Kind::face:
-        write_face(out, event, delta);
+        start(face_record_[event.item]);
+        out.append(face_form(event.item));
         break;
       case Kind::arc:
         start(Record::arc);
-        write_arc(out, event);
+        out.append(arc_form(event.item));
         break;
       case Kind::window:
         start(Record::window);
-        out.number(event.slot);
         write_separators(out, resolved_.arcs[event.item].guide.windows[event.window]);
         break;
       case Kind::cell: {
         const Cell& cell = resolved_.cells[event.item];
         start(Record::cell);
-        out.number(event.slot);
         out.number(face_slot_[cell.face]);
         out.number(arc_number(cell.left));
         out.number(arc_number(cell.right));
@@ -407,7 +438,6 @@ std::vector<std::uint8_t> JobWriter::bytes() const {
       case Kind::span: {
         const LineSpan& span = resolved_.spans[event.item];
         start(Record::span);
-        out.number(event.slot);
         out.number(face_slot_[span.face]);
         out.number(span.x0);
         out.number(span.x1);

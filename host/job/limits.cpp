@@ -150,10 +150,12 @@ std::optional<ArcKind> narrowest(int bits, const std::array<int, 3>& widths, Arc
   return std::nullopt;
 }
 
-mpz_class largest_value(const Curve& curve, const Extent& e) {
-  const auto& q = curve.q;
-  return abs(q[0]) * e.x * e.x + abs(q[1]) * e.x * e.y + abs(q[2]) * e.y * e.y + abs(q[3]) * e.x + abs(q[4]) * e.y +
-         abs(q[5]);
+// Bits of the largest value.
+template <class Way>
+int largest_value(const Curve& curve, const Extent& e) {
+  std::array<typename Way::Number, 6> q;
+  for (std::size_t i = 0; i < 6; ++i) q[i] = Way::magnitude(curve.q[i]);
+  return Way::bits((q[0] * e.x + q[1] * e.y + q[3]) * e.x + (q[2] * e.y + q[4]) * e.y + q[5]);
 }
 
 struct KindOfForm {
@@ -161,14 +163,16 @@ struct KindOfForm {
 
   std::optional<ArcKind> operator()(const Curve& curve) const {
     // A difference is at most twice the value, the slope test and a step beyond twice that again.
-    return narrowest(bits_of(largest_value(curve, e)) + 5, {64, 128, 256},
-                     is_line(curve) ? ArcKind::line64 : ArcKind::conic64);
+    const int above = largest_value<Above>(curve, e) + 5;
+    const int bits = above <= 64 ? above : largest_value<Exact>(curve, e) + 5;
+    return narrowest(bits, {64, 128, 256}, is_line(curve) ? ArcKind::line64 : ArcKind::conic64);
   }
   // These are always wide and wrap: a difference may be lost, the values whose signs are asked are not (registers.hpp). The
   // predicate's products have three times the width, so they need no proof of their own.
   std::optional<ArcKind> operator()(const RadicalForm& form) const {
-    const mpz_class value = std::max({largest_value(form.p, e), largest_value(form.r, e), largest_value(form.d, e)});
-    return narrowest(bits_of(value) + 1, {128, 256, 384}, ArcKind::radical128);
+    const int bits =
+        std::max({largest_value<Exact>(form.p, e), largest_value<Exact>(form.r, e), largest_value<Exact>(form.d, e)});
+    return narrowest(bits + 1, {128, 256, 384}, ArcKind::radical128);
   }
   std::optional<ArcKind> operator()(const QuarticForm& form) const {
     mpz_class value;

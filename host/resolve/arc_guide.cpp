@@ -22,7 +22,8 @@ struct ProvedWindow {
 // Windows for one root of a form.
 class Windows {
  public:
-  Windows(const FormOnSheet& form, int rank, KnownLines& lines) : form_(form), rank_(rank), lines_(lines) {}
+  Windows(const FormOnSheet& form, int rank, KnownLines& lines, QuarticTable& table)
+      : form_(form), rank_(rank), lines_(lines), table_(table) {}
 
   // On the lines y0 .. y1 of a row of the form.
   void add_row(bool singular, std::int64_t y0, std::int64_t y1) {
@@ -48,7 +49,7 @@ class Windows {
 
   Line line(std::int64_t y) {
     const auto [at, is_new] = lines_.try_emplace(y);
-    if (is_new) at->second = obstacles_on_line(form_, y);
+    if (is_new) at->second = obstacles_on_line(form_, y, table_);
     std::size_t root = 0;
     while (at->second[root].rank != rank_) ++root;
     return {at->second, root};
@@ -137,6 +138,7 @@ class Windows {
   const FormOnSheet& form_;
   int rank_;
   KnownLines& lines_;
+  QuarticTable& table_;
   std::vector<ProvedWindow> windows_;
 };
 
@@ -185,10 +187,13 @@ std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent, Quar
 }  // namespace
 
 ArcGuide::ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table)
-    : form_on_sheet_(std::move(form)), form_(form_of(form_on_sheet_)), rows_(rows_of(form_on_sheet_, extent, table)) {}
+    : form_on_sheet_(std::move(form)),
+      form_(form_of(form_on_sheet_)),
+      rows_(rows_of(form_on_sheet_, extent, table)),
+      table_(table) {}
 
 std::vector<GuidedRun> ArcGuide::runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) {
-  Windows windows(form_on_sheet_, static_cast<int>(rank), lines_);
+  Windows windows(form_on_sheet_, static_cast<int>(rank), lines_, table_);
   for (const ScanRow& row : rows_) {
     const std::int64_t first = std::max(y0, row.y0);
     const std::int64_t last = std::min(y1, row.y1);

@@ -32,7 +32,7 @@ using KnownLines = std::map<std::int64_t, std::vector<Obstacle>>;
 // The roots of one constraint of degree three or four on one sheet.
 class ArcGuide {
  public:
-  // Keeps a pointer to the form's sheets.
+  // Keeps a pointer to the form's sheets, and the table.
   ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table);
 
   [[nodiscard]] const std::variant<Curve, RadicalForm, QuarticForm>& form() const { return form_; }
@@ -45,6 +45,7 @@ class ArcGuide {
   std::variant<Curve, RadicalForm, QuarticForm> form_;
   std::vector<ScanRow> rows_;  // of this form alone
   KnownLines lines_;
+  QuarticTable& table_;
 };
 
 }  // namespace halfspace

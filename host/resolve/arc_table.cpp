@@ -50,10 +50,13 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable&
 
 std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
                                    const Extent& extent, QuarticTable& table) const {
-  if (!name.guided) return {{0, curve_of(name), name.branch, {}, run.y0, run.y1}};
+  std::vector<Arc> arcs;
+  if (!name.guided) {
+    arcs.push_back({0, curve_of(name), name.branch, {}, run.y0, run.y1});
+    return arcs;
+  }
   ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent, table).first->second;
   const auto page_line = [this](std::int64_t y) { return static_cast<std::int32_t>(y + origin_y_); };
-  std::vector<Arc> arcs;
   for (GuidedRun& part : guide.runs(name.rank, run.y0 - origin_y_, run.y1 - origin_y_)) {
     for (Window& window : part.guide.windows) {
       window.y0 = page_line(window.y0);

@@ -2,17 +2,22 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
+// A canonical one.
 void append_once(Curve p, std::vector<Curve>& factors) {
-  make_canonical(p);
   const auto same = [&p](const Curve& q) { return same_curve(p, q); };
   if (std::none_of(factors.begin(), factors.end(), same)) factors.push_back(std::move(p));
 }
 
-Curve line(const mpz_class& x, const mpz_class& y, const mpz_class& one) { return {{0, 0, 0, x, y, one}}; }
+void append_line(const mpz_class& x, const mpz_class& y, const mpz_class& one, std::vector<Curve>& factors) {
+  Curve line{{0, 0, 0, x, y, one}};
+  make_canonical(line);
+  append_once(std::move(line), factors);
+}
 
 // s y + t with (s y + t)^2 = p2 y^2 + p1 y + p0, when it is a rational (hence an integer) polynomial.
 struct LinearRoot {
@@ -26,22 +31,26 @@ std::optional<LinearRoot> square_root(const mpz_class& p2, const mpz_class& p1, 
   return root;
 }
 
-// q0 != 0: reducible exactly when the discriminant in x is the square of a rational polynomial in y.
-void append_factors_of_second_order_in_x(const Curve& p, std::vector<Curve>& factors) {
+// q0 != 0: reducible exactly when the discriminant in x is the square of a rational polynomial in y; that of an ellipse begins with a
+// negative coefficient.
+void append_factors_of_second_order_in_x(Curve p, std::vector<Curve>& factors) {
   const auto& q = p.q;
-  const auto root =
-      square_root(q[1] * q[1] - 4 * q[0] * q[2], 2 * q[1] * q[3] - 4 * q[0] * q[4], q[3] * q[3] - 4 * q[0] * q[5]);
-  if (!root) return append_once(p, factors);
-  append_once(line(2 * q[0], q[1] + root->s, q[3] + root->t), factors);
-  append_once(line(2 * q[0], q[1] - root->s, q[3] - root->t), factors);
+  const mpz_class leading = q[1] * q[1] - 4 * q[0] * q[2];
+  if (sgn(leading) < 0) return append_once(std::move(p), factors);
+  const auto root = square_root(leading, 2 * q[1] * q[3] - 4 * q[0] * q[4], q[3] * q[3] - 4 * q[0] * q[5]);
+  if (!root) return append_once(std::move(p), factors);
+  append_line(2 * q[0], q[1] + root->s, q[3] + root->t, factors);
+  append_line(2 * q[0], q[1] - root->s, q[3] - root->t, factors);
 }
 
 // q0 = 0, q1 != 0: reducible exactly when q1 y + q3 divides the part without x.
-void append_factors_of_mixed(const Curve& p, std::vector<Curve>& factors) {
+void append_factors_of_mixed(Curve p, std::vector<Curve>& factors) {
   const auto& q = p.q;
-  if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) return append_once(p, factors);
-  append_once(line(0, q[1], q[3]), factors);
-  append_once(line(q[1] * q[1], q[1] * q[2], q[4] * q[1] - q[2] * q[3]), factors);
+  if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) {
+    return append_once(std::move(p), factors);
+  }
+  append_line(0, q[1], q[3], factors);
+  append_line(q[1] * q[1], q[1] * q[2], q[4] * q[1] - q[2] * q[3], factors);
 }
 
 }  // namespace
@@ -106,8 +115,8 @@ void make_canonical(Curve& p) {
 void append_factors(Curve p, std::vector<Curve>& factors) {
   if (is_constant(p)) return;
   make_canonical(p);
-  if (sgn(p.q[0]) != 0) return append_factors_of_second_order_in_x(p, factors);
-  if (sgn(p.q[1]) != 0) return append_factors_of_mixed(p, factors);
+  if (sgn(p.q[0]) != 0) return append_factors_of_second_order_in_x(std::move(p), factors);
+  if (sgn(p.q[1]) != 0) return append_factors_of_mixed(std::move(p), factors);
   append_once(std::move(p), factors);
 }
 

@@ -53,11 +53,13 @@ Interval EnclosedCurve::over(const Box& box) const {
 
 EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet)
     : shape_(sheets.shape), t_(sheet == Sheet::front ? -1 : 1) {
-  const long own = exponent_of(sheets.surface);
   const long root = (exponent_of(sheets.d) + 1) / 2;
-  d_ = EnclosedCurve(sheets.d, 2 * root);
-  b_ = EnclosedCurve(sheets.surface.b, own);
-  c_ = EnclosedCurve(sheets.surface.c, own);
+  if (shape_ == SheetShape::two_sheets) d_ = EnclosedCurve(sheets.d, 2 * root);
+  if (shape_ == SheetShape::rational) {
+    const long own = exponent_of(sheets.surface);
+    b_ = EnclosedCurve(sheets.surface.b, own);
+    c_ = EnclosedCurve(sheets.surface.c, own);
+  }
   for (const Constraint& k : sheets.constraints) constraints_.push_back(enclosed(k, root));
 }
 

@@ -54,8 +54,9 @@ class EnclosedSheet {
   [[nodiscard]] OnBox own_forms(const Box& box, const Interval& d) const;
 
   SheetShape shape_;
-  double t_;  // of P + t R sqrt(d)
-  EnclosedCurve d_, b_, c_;
+  double t_;             // of P + t R sqrt(d)
+  EnclosedCurve d_;      // of two sheets
+  EnclosedCurve b_, c_;  // of a rational one
   std::vector<EnclosedConstraint> constraints_;
 };
 

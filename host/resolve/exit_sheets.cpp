@@ -39,6 +39,11 @@ HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets) {
   return {!positive, positive};
 }
 
+bool has_rivals(const Sheets& sheets, const BoundingCurves& bounds) {
+  return std::any_of(bounds.curves.begin(), bounds.curves.end(), [](const TracedCurve& c) { return c.later; }) ||
+         (!bounds.quartics.empty() && sheets.constraints.back().half_space > sheets.half_space);
+}
+
 std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
                                       const std::vector<RowRoot>& roots, std::int64_t y,
                                       const std::vector<RowInterval>& intervals) {

@@ -120,14 +120,17 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
   std::vector<SheetPresence> presences;
   std::vector<bool> hidden;
   for (const Sheet sheet : sheets_in(sheets)) {
+    const bool is_exit = sheet == Sheet::back ? exits.back : exits.front;
+    if (is_exit && !has_rivals(sheets, face.bounds)) continue;
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
-    hidden.push_back(sheet == Sheet::back ? exits.back : exits.front);
+    hidden.push_back(is_exit);
   }
+  if (faces.empty()) return {};
   std::vector<CellBuilder> builders(faces.size());
   const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
-    const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0);
+    const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0, table);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Sheet sheet = faces[i].sheet;
       auto intervals = row_intervals(roots, row.y0, presences[i], face.pole);

@@ -1,6 +1,7 @@
 #include "host/resolve/line_root.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "host/resolve/approximate_roots.hpp"
 #include "host/resolve/isolation.hpp"
@@ -56,15 +57,31 @@ std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
   return roots;
 }
 
-// In doubles: 0 if it is not sure.
-int quick_sign_at(const Polynomial& g, const Interval& x) {
-  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
-  if (!(x.low > -largest && x.high < largest)) return 0;
+// Divided by a power of two so that no coefficient is above 1.
+std::vector<Interval> enclosed(const Polynomial& g) {
   std::size_t bits = 0;
   for (const mpz_class& c : g) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  std::vector<Interval> near;
+  near.reserve(g.size());
+  for (const mpz_class& c : g) near.push_back(enclosure(c, static_cast<long>(bits)));
+  return near;
+}
+
+// In doubles: 0 if it is not sure.
+int quick_sign_at(const std::vector<Interval>& g, const Interval& x) {
+  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
+  if (!(x.low > -largest && x.high < largest)) return 0;
   Interval value{};
-  for (std::size_t i = g.size(); i-- > 0;) value = value * x + enclosure(g[i], static_cast<long>(bits));
+  for (std::size_t i = g.size(); i-- > 0;) value = value * x + g[i];
   return value.positive() ? 1 : value.negative() ? -1 : 0;
+}
+
+int exact_sign_at(const Polynomial& g, const LineRoot& x) {
+  if (x.f->size() == 2) return sgn(scaled_value_at(g, -(*x.f)[0], (*x.f)[1]));
+  RefinedRoot root(x);
+  if (degree(g) < 0 || root.is_root_of(greatest_common_divisor(*x.f, g))) return 0;
+  while (!root.keeps_sign(g)) root.halve();  // ends: g is not 0 at x
+  return root.sign_inside(g);
 }
 
 // Of all numbers in the interval, if it is one.
@@ -113,13 +130,13 @@ int compare(const LineRoot& a, const LineRoot& b) {
   }
 }
 
-int sign_at(const Polynomial& g, const LineRoot& x) {
-  if (const int sign = quick_sign_at(g, x.near); sign != 0) return sign;
-  if (x.f->size() == 2) return sgn(scaled_value_at(g, -(*x.f)[0], (*x.f)[1]));
-  RefinedRoot root(x);
-  if (degree(g) < 0 || root.is_root_of(greatest_common_divisor(*x.f, g))) return 0;
-  while (!root.keeps_sign(g)) root.halve();  // ends: g is not 0 at x
-  return root.sign_inside(g);
+int sign_at(const Polynomial& g, const LineRoot& x) { return AskedPolynomial(g).sign_at(x); }
+
+AskedPolynomial::AskedPolynomial(Polynomial p) : exact_(trimmed(std::move(p))), near_(enclosed(exact_)) {}
+
+int AskedPolynomial::sign_at(const LineRoot& x) const {
+  const int sign = quick_sign_at(near_, x.near);
+  return sign != 0 ? sign : exact_sign_at(exact_, x);
 }
 
 mpz_class floor_of(const LineRoot& x) {
@@ -148,7 +165,19 @@ LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator)
   return {std::move(f), near, std::nullopt};
 }
 
+std::optional<double> short_number_between(double low, double high) {
+  constexpr double largest = 0x1p40;  // doubles up to here carry at least 12 bits after the point
+  if (!(low > -largest && high < largest)) return std::nullopt;
+  const double integer = std::floor(low) + 1;
+  if (integer < high) return integer;
+  const double middle = std::round((low + high) / 2 * 0x1p10) * 0x1p-10;
+  if (low < middle && middle < high) return middle;
+  return std::nullopt;
+}
+
 LineRoot rational_between(const LineRoot& a, const LineRoot& b) {
+  if (const auto x = short_number_between(a.near.high, b.near.low))
+    return rational_root(mpz_class(*x * 0x1p10), 1 << 10);
   RefinedRoot first(a);
   RefinedRoot second(b);
   while (order(first.within(), second.within()) == 0) {

@@ -41,10 +41,27 @@ struct LineRoot {
 // The sign of g at x.
 [[nodiscard]] int sign_at(const Polynomial& g, const LineRoot& x);
 
+// A polynomial whose sign is asked at many points: its coefficients are enclosed once.
+class AskedPolynomial {
+ public:
+  AskedPolynomial() = default;
+  explicit AskedPolynomial(Polynomial p);
+
+  [[nodiscard]] const Polynomial& exact() const { return exact_; }
+  [[nodiscard]] int sign_at(const LineRoot& x) const;
+
+ private:
+  Polynomial exact_;
+  std::vector<Interval> near_;
+};
+
 [[nodiscard]] mpz_class floor_of(const LineRoot& x);
 [[nodiscard]] mpz_class ceiling_of(const LineRoot& x);
 
 [[nodiscard]] LineRoot rational_root(const mpz_class& numerator, const mpz_class& denominator);
+
+// A number of few bits, an integer or a multiple of 2^-10, with low < it < high; none where they are too close or too far off.
+[[nodiscard]] std::optional<double> short_number_between(double low, double high);
 
 // A rational strictly between a and b, with a < b.
 [[nodiscard]] LineRoot rational_between(const LineRoot& a, const LineRoot& b);

@@ -25,4 +25,10 @@ const std::vector<Mark>& QuarticTable::meetings(const QuarticForm& p, const Quar
   return at->second;
 }
 
+const std::vector<LineRoot>& QuarticTable::roots(const QuarticForm& p, std::int64_t y) {
+  const auto [at, is_new] = roots_[p.q].try_emplace(y);
+  if (is_new) at->second = real_roots(restricted(p, static_cast<long>(y)));
+  return at->second;
+}
+
 }  // namespace halfspace

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/resolve/line_root.hpp"
 #include "host/resolve/quartic.hpp"
 #include "host/resolve/root_marks.hpp"
 
@@ -26,6 +27,9 @@ class QuarticTable {
   [[nodiscard]] const std::vector<Mark>& turns(const QuarticForm& p);
   [[nodiscard]] const std::vector<Mark>& meetings(const QuarticForm& p, const QuarticForm& q);
 
+  // Of an irreducible curve, canonical: its roots on a local line.
+  [[nodiscard]] const std::vector<LineRoot>& roots(const QuarticForm& p, std::int64_t y);
+
  private:
   using Key = std::array<mpz_class, 15>;
 
@@ -33,6 +37,7 @@ class QuarticTable {
   std::map<Key, PlaneFactors> factors_;
   std::map<Key, std::vector<Mark>> turns_;
   std::map<std::pair<Key, Key>, std::vector<Mark>> meetings_;
+  std::map<Key, std::map<std::int64_t, std::vector<LineRoot>>> roots_;
 };
 
 }  // namespace halfspace

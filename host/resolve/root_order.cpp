@@ -16,12 +16,12 @@ void append_limb(const Curve& d, const mpz_class& y, std::vector<Obstacle>& foun
 
 }  // namespace
 
-std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t line) {
+std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t line, QuarticTable& table) {
   const mpz_class y = static_cast<long>(line);
   const ValueOnLine value(*form.sheets, form.value(), y);
   std::vector<Obstacle> found;
   int rank = 0;
-  for (const LineRoot& x : real_roots(restricted(form.part, y))) {
+  for (const LineRoot& x : table.roots(form.part, line)) {
     if (value.vanishes(form.sheet, x)) found.push_back({x, false, rank++});
   }
   if (form.has_limb()) {

@@ -28,6 +28,6 @@ struct FormOnSheet {
 };
 
 // Ascending; distinct on lines where nothing befalls the form. Of a rational sheet, the part's own roots alone.
-[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y);
+[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y, QuarticTable& table);
 
 }  // namespace halfspace

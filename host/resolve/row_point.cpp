@@ -7,16 +7,6 @@ namespace {
 
 constexpr double largest = 0x1p40;  // doubles up to here carry at least 12 bits after the point
 
-// An integer well inside (low, high), or the midpoint of a wide enough gap.
-std::optional<double> short_number_between(double low, double high) {
-  if (!(low > -largest && high < largest)) return std::nullopt;
-  const double integer = std::floor(low) + 1;
-  if (integer < high) return integer;
-  const double middle = std::round((low + high) / 2 * 0x1p10) * 0x1p-10;
-  if (low < middle && middle < high) return middle;
-  return std::nullopt;
-}
-
 bool is_small(const Interval& x) { return -largest < x.low && x.high < largest; }
 
 }  // namespace

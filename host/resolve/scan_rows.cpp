@@ -31,11 +31,9 @@ std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t ind
 
 // The roots of one quartic, ascending, each under its names on the sheets where it is a root of a constraint.
 std::vector<RowRoot> roots_of_quartic(const Sheets& sheets, const TracedQuartic& traced, std::uint32_t index,
-                                      std::int64_t y) {
+                                      std::int64_t y, QuarticTable& table) {
   std::vector<RowRoot> named;
-  for (LineRoot& x : real_roots(restricted(traced.curve, static_cast<long>(y)))) {
-    named.push_back({RowPoint(std::move(x)), {}, {}});
-  }
+  for (const LineRoot& x : table.roots(traced.curve, y)) named.push_back({RowPoint(LineRoot(x)), {}, {}});
   if (named.empty()) return named;
   for (const std::uint32_t constraint : traced.constraints) {
     const ValueOnLine value(sheets, sheets.constraints[constraint], static_cast<long>(y));
@@ -83,13 +81,14 @@ std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, 
   return rows;
 }
 
-std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y) {
+std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y,
+                                   QuarticTable& table) {
   std::vector<RowRoot> roots;
   for (std::uint32_t i = 0; i < bounds.curves.size(); ++i) {
     for (RowRoot& root : roots_of_curve(bounds.curves[i], i, y)) insert_root(std::move(root), roots);
   }
   for (std::uint32_t i = 0; i < bounds.quartics.size(); ++i) {
-    for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y)) insert_root(std::move(root), roots);
+    for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y, table)) insert_root(std::move(root), roots);
   }
   return roots;
 }

@@ -53,6 +53,7 @@ struct RowRoot {
 };
 
 // Ascending, distinct. Points keep pointers to the curves.
-[[nodiscard]] std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y);
+[[nodiscard]] std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y,
+                                                 QuarticTable& table);
 
 }  // namespace halfspace

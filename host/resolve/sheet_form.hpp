@@ -20,7 +20,7 @@ class ValueOnLine {
 
  private:
   bool two_sheets_;
-  Polynomial p_, r_, d_;
+  AskedPolynomial p_, r_, d_;
 };
 
 }  // namespace halfspace

@@ -1,6 +1,7 @@
 #include "host/scene/transform_reader.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "host/scene/quote.hpp"
 
@@ -15,35 +16,35 @@ std::optional<Axis> find_axis(char letter) {
   return static_cast<Axis>(letter - 'x');
 }
 
-std::optional<Transform> make_axis_transform(std::string_view key, const Number& number) {
+std::optional<Transform> make_axis_transform(std::string_view key, Number&& number) {
   const std::optional<Axis> axis = find_axis(key[1]);
   if (!axis) return std::nullopt;
   switch (key[0]) {
     case 't':
-      return TranslateTransform{*axis, number};
+      return TranslateTransform{*axis, std::move(number)};
     case 's':
-      return ScaleTransform{*axis, number};
+      return ScaleTransform{*axis, std::move(number)};
     case 'r':
-      return RotateTransform{*axis, number};
+      return RotateTransform{*axis, std::move(number)};
     default:
       return std::nullopt;
   }
 }
 
-std::optional<Transform> make_shear(std::string_view key, const Number& number) {
+std::optional<Transform> make_shear(std::string_view key, Number&& number) {
   const std::optional<Axis> along = find_axis(key[1]);
   const std::optional<Axis> moved = find_axis(key[2]);
   if (key[0] != 'v' || !along || !moved || *along == *moved) return std::nullopt;
-  return ShearTransform{*along, *moved, number};
+  return ShearTransform{*along, *moved, std::move(number)};
 }
 
 // `option` starts with '='. Empty when it names no transform.
-std::optional<Transform> make_transform(std::string_view option, const Number& number) {
+std::optional<Transform> make_transform(std::string_view option, Number&& number) {
   const std::string_view key = option.substr(1);
-  if (key == "ta") return TranslateAllTransform{number};
-  if (key == "sa") return ScaleAllTransform{number};
-  if (key.size() == 2) return make_axis_transform(key, number);
-  if (key.size() == 3) return make_shear(key, number);
+  if (key == "ta") return TranslateAllTransform{std::move(number)};
+  if (key == "sa") return ScaleAllTransform{std::move(number)};
+  if (key.size() == 2) return make_axis_transform(key, std::move(number));
+  if (key.size() == 3) return make_shear(key, std::move(number));
   return std::nullopt;
 }
 
@@ -52,13 +53,14 @@ bool read_transform(TokenStream& tokens, DiagnosticLog& log, std::vector<Transfo
   const std::string_view option = tokens.take().text;
   if (!tokens.at_number()) return tokens.fail_expected("a number after " + quote(option));
 
-  const SourcePosition position = tokens.position();
+  const Token written = tokens.current();
   const int errors_before = log.errors();
-  const Number number = tokens.take_number();
+  Number number = tokens.take_number();
   if (option[1] == 's' && number.value == 0 && log.errors() == errors_before) {
-    log.error(position, "scaling by 0 leaves nothing; write a factor other than 0 after " + quote(option));
+    log.error(tokens.position_of(written),
+              "scaling by 0 leaves nothing; write a factor other than 0 after " + quote(option));
   }
-  transforms.push_back(*make_transform(option, number));
+  transforms.push_back(*make_transform(option, std::move(number)));
   return true;
 }
 

@@ -87,7 +87,9 @@ Placed placed(const Kind& kind, const std::string& size, const std::array<std::s
 }
 
 std::optional<Quantised> quantise(const Placed& h, const Box& box) {
-  return quantise(h.shape, h.inverse, region_of(box, 32767));
+  auto quantised = quantise(h.shape, h.inverse, region_of(box, 32767));
+  if (quantised) quantised->form = seen_from(quantised->form, IntegerPoint{});
+  return quantised;
 }
 
 Box box_about(const std::array<std::string, 3>& at, Real half) {
