@@ -2,7 +2,7 @@
 // chords (level_chord.hpp), whose ends tell where between them the boundaries between levels lie, to a small part of a dot.
 //   Proof    A place comes with a proven error; a dot within it is asked.
 //   Lengths  A chord as long as keeps that error small: grown from chord to chord, halved where it is not.
-// State   None between lines.
+// State   Between lines none but the forms of a block of them, which any line of it could make anew.
 #include <algorithm>
 
 #include "firmware/core/contour.hpp"
@@ -18,33 +18,6 @@ constexpr std::int32_t first_chord = 8;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
-// Bars of levels, T_k: they go up evenly. 32 bits of fraction.
-struct Bars {
-  std::uint32_t top = 0, step = 0;
-  std::int32_t top_level;
-  std::int32_t error;  // in 2^-30
-
-  Bars(const LevelTable& table, const Lighting& lighting);
-  [[nodiscard]] std::uint32_t of(std::int32_t k) const {
-    return top - static_cast<std::uint32_t>(top_level - k) * step;
-  }
-};
-
-// T_k goes as k unit - most ambient. The top one is a root of 30 bits, off by 3, and by what its square, cut to 32 bits, lacks;
-// a step is off by less than 1, and there are at most 2^8.
-Bars::Bars(const LevelTable& table, const Lighting& lighting) : top_level(table.top_level) {
-  const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(top_level)]} << 28 | 1;
-  const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
-  top = static_cast<std::uint32_t>(root) << 2;
-  error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
-  const std::int64_t height =
-      std::int64_t{top_level} * lighting.unit - std::int64_t{table.levels - 1} * lighting.ambient;
-  if (top_level > table.ambient_level + 1) {
-    step = static_cast<std::uint32_t>(std::uint64_t{top} * static_cast<std::uint64_t>(lighting.unit) /
-                                      static_cast<std::uint64_t>(height));
-  }
-}
-
 // A dot where a piece may begin or end.
 struct Stop {
   RidgeDot ridge;
@@ -53,13 +26,13 @@ struct Stop {
 
 class SpanTracer {
  public:
-  SpanTracer(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
+  SpanTracer(const ShadeJob& job, std::int32_t y, std::int32_t x0)
       : job_(job),
         y_(y),
-        line_(job, y, x0, x1),
+        bars_(job.contours->general.bars),
+        line_(job.contours->general.forms, y),
         ridge_(line_),
-        painter_(job.painter, x0, 0),
-        bars_(job.table, job.lighting) {}
+        painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
 
@@ -71,7 +44,7 @@ class SpanTracer {
     return above >= -dot.error && settle(dot.t, k);
   }
   [[nodiscard]] bool reaches(const LevelDot& dot, std::int32_t k) const {
-    return reaches(dot, k, dot.above(bars_.of(k)));
+    return reaches(dot, k, dot.above(bars_.at(k)));
   }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
     const std::uint32_t square = job_.table.squares[static_cast<std::size_t>(k)];
@@ -119,10 +92,10 @@ class SpanTracer {
 
   const ShadeJob& job_;
   std::int32_t y_;
+  const LevelBars& bars_;
   LineSection line_;
   RidgeForm ridge_;
   RunPainter painter_;
-  Bars bars_;
   std::int32_t level_ = 0;  // so far
   std::int32_t chord_ = first_chord;
 };
@@ -131,7 +104,7 @@ class SpanTracer {
 bool SpanTracer::keeps_level(const LevelDot& a, const LevelDot& b) const {
   const LevelChord chord(line_, a, b);
   const auto keeps = [&](int sign, std::int32_t k) {
-    const std::uint32_t bar = bars_.of(k);
+    const std::uint32_t bar = bars_.at(k);
     return chord.keeps_sign(sign, bar, a.above(bar), b.above(bar));
   };
   return (level_ == job_.table.ambient_level || keeps(1, level_)) &&
@@ -215,7 +188,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   const std::int32_t step = rising ? 1 : -1;
   const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
-  std::uint32_t bar = bars_.of(k);
+  std::uint32_t bar = bars_.at(k);
   const auto is_beyond = [&](const LevelDot& dot, std::int32_t above) {
     return k != end && reaches(dot, k, above) == rising;
   };
@@ -266,12 +239,6 @@ SpanTracer::Piece SpanTracer::next_piece(const Stop& a, Stop& b) const {
 }
 
 void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
-  if (line_.dark()) {
-    painter_.change(x0, job_.table.ambient_level);
-    painter_.end(x1);
-    ++job_.counters.level_spans;
-    return;
-  }
   Stop a = stop_at(x0 - line_.middle());
   const Stop last = stop_at(x1 - line_.middle());
   level_ = level_of(a.dot, -1);
@@ -294,12 +261,45 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   painter_.end(x1);
 }
 
+// L = 0 on the whole line.
+bool is_dark(const ShadeJob& job, std::int32_t y) {
+  const ActiveFace& face = job.face;
+  return job.contours->general.forms.may_be_dark && face.surface.light.at(0, y - face.origin_y).is_zero();
+}
+
+void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  SectionForms& forms = job.contours->general.forms;
+  if (!forms.holds(y, x0, x1)) forms.cover(job, y, x0, x1);
+  if (!is_dark(job, y)) return SpanTracer(job, y, x0).run(x0, x1);
+  job.painter.fill(x0, x1, job.table.ambient_level);
+  ++job.counters.level_spans;
+}
+
 }  // namespace
 
+// T_k goes as k unit - most ambient. The top one is a root of 30 bits, off by 3, and by what its square, cut to 32 bits, lacks;
+// a step is off by less than 1, and there are at most 2^8.
+LevelBars LevelBars::of(const LevelTable& table, const Lighting& lighting) {
+  LevelBars bars{0, 0, table.top_level, 0};
+  const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(table.top_level)]} << 28 | 1;
+  const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
+  bars.top = static_cast<std::uint32_t>(root) << 2;
+  bars.error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
+  const std::int64_t height =
+      std::int64_t{table.top_level} * lighting.unit - std::int64_t{table.levels - 1} * lighting.ambient;
+  if (table.top_level > table.ambient_level + 1) {
+    bars.step = static_cast<std::uint32_t>(std::uint64_t{bars.top} * static_cast<std::uint64_t>(lighting.unit) /
+                                           static_cast<std::uint64_t>(height));
+  }
+  return bars;
+}
+
 bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  LevelBars& bars = job.contours->general.bars;
+  if (bars.error == 0) bars = LevelBars::of(job.table, job.lighting);
   while (x0 <= x1) {
     const std::int32_t end = std::min(x1, x0 + 2 * longest_half - 1);
-    SpanTracer(job, y, x0, end).run(x0, end);
+    trace(job, y, x0, end);
     x0 = end + 1;
   }
   return true;

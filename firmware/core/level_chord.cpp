@@ -53,7 +53,7 @@ class Divisor {
 
 LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error) {
   const LitDot dot = line.quick_dot(at);
-  const QuickErrors& errors = line.quick_errors(dot);
+  const SectionErrors errors = line.quick_errors(dot);
   t = at;
   s = dot.s;
   r = dot.r;

@@ -58,7 +58,7 @@ RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()
   const Terms l(line.light(), hb);
   root_shift_ = bits(d.size()) > 60 ? 1 : 0;
   const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift_))) - 29;
-  const std::int64_t m28 = std::int64_t{line.light_root()} * (1 << LineSection::light_fraction);
+  const std::int64_t m28 = std::int64_t{line.light_root()} * (1 << SectionForms::light_fraction);
   const int l_shift = bits(l.size() + (magnitude(m28) << root_shift_)) - 28;
   for (int i = 0; i < 3; ++i) d_[i] = d.cut(i, 30 + 2 * root_shift_);
   const auto [d0, d1, d2] = d_;
