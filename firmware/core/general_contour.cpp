@@ -26,12 +26,12 @@ struct Stop {
 
 class SpanTracer {
  public:
-  SpanTracer(const ShadeJob& job, std::int32_t y, std::int32_t x0)
+  SpanTracer(const ShadeJob& job, const LineForms& line, std::int32_t y, std::int32_t x0)
       : job_(job),
         y_(y),
         bars_(job.contours->general.bars),
-        line_(job.contours->general.forms, y),
-        ridge_(line_),
+        line_(job.contours->general.forms, line),
+        ridge_(job.contours->general.forms, line),
         painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
@@ -47,23 +47,15 @@ class SpanTracer {
     return reaches(dot, k, dot.above(bars_.at(k)));
   }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
-    const std::uint32_t square = job_.table.squares[static_cast<std::size_t>(k)];
-    const LitDot dot = line_.dot(t);
-    const Answer answer = compare(dot.light, line_.margin(dot, square), square);
-    return answer == Answer::unsure ? reaches_level(job_, line_.middle() + t, y_, k) : answer == Answer::yes;
+    const std::int32_t x = line_.middle() + t;
+    const Answer answer = line_.forms().reaches(x, y_, job_.table.squares[static_cast<std::size_t>(k)]);
+    return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
   }
   // Sought from a level near it, or -1.
   [[nodiscard]] std::int32_t level_of(const LevelDot& dot, std::int32_t near) const {
     return search_level(job_.table, near, [&](std::int32_t k) { return reaches(dot, k); });
   }
-  [[nodiscard]] RidgeDot ridge_at(std::int32_t t) const {
-    const std::int32_t s = line_.root(t);
-    return ridge_.at(t, s, line_.root_error(s));
-  }
-  [[nodiscard]] Stop stop_at(std::int32_t t) const {
-    const LevelDot dot = level_dot(t);
-    return {ridge_.at(t, dot.s, dot.root_error), dot};
-  }
+  [[nodiscard]] Stop stop_at(std::int32_t t) const { return {ridge_.at(t), level_dot(t)}; }
 
   struct Piece {
     Course course;
@@ -143,7 +135,7 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
     const int shift = std::max(0, 13 - std::countl_zero(static_cast<std::uint32_t>(fall < 0 ? -fall : fall)));
     std::int32_t step = tries < 8 && fall != 0 ? way * (from.ridge.w >> shift) / (fall >> shift) : way / 2;
     step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
-    const RidgeStop next{from.t + step, ridge_at(from.t + step)};
+    const RidgeStop next{from.t + step, ridge_.at(from.t + step)};
     if (next.ridge.sign() == sign) {
       from = next;
       if (from_moved) other.ridge.w /= 2;
@@ -162,7 +154,7 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
   const Stop left = first.t == a.dot.t ? a : stop_at(first.t);
   monotone(a.dot, left.dot, a.ridge.sign() > 0);
-  RidgeStop last{first.t + 1, ridge_at(first.t + 1)};
+  RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
   const Stop right = last.t == b.dot.t ? b : stop_at(last.t);
   step_over(left, right);
@@ -270,7 +262,7 @@ bool is_dark(const ShadeJob& job, std::int32_t y) {
 void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   SectionForms& forms = job.contours->general.forms;
   if (!forms.holds(y, x0, x1)) forms.cover(job, y, x0, x1);
-  if (!is_dark(job, y)) return SpanTracer(job, y, x0).run(x0, x1);
+  if (!is_dark(job, y)) return SpanTracer(job, forms.on(y), y, x0).run(x0, x1);
   job.painter.fill(x0, x1, job.table.ambient_level);
   ++job.counters.level_spans;
 }

@@ -11,16 +11,12 @@ ShortPolynomial shortened(const LinePolynomial& p, int half_bits, int unit) {
 
 }  // namespace
 
-LineSection::LineSection(const SectionForms& forms, std::int32_t y)
+LineSection::LineSection(const SectionForms& forms, const LineForms& line)
     : forms_(forms),
-      half_bits_(static_cast<int>(std::bit_width(static_cast<std::uint32_t>(forms.half)))),
-      tau_shift_(31 - half_bits_),
-      d_(forms.d.on(y - forms.line)),
-      q_(forms.q.on(y - forms.line)),
-      r_(forms.r.on(y - forms.line)),
-      l_(forms.l.on(y - forms.line)),
-      short_q_(shortened(q_, half_bits_, short_unit)),
-      short_r_(shortened(r_, half_bits_, 32)),
-      short_l_(shortened(l_, half_bits_, SectionForms::light_fraction)) {}
+      tau_shift_(31 - line.half_bits),
+      d_(shortened(line.d, line.half_bits, 28)),
+      q_(shortened(line.q, line.half_bits, 28)),
+      r_(shortened(line.r, line.half_bits, SectionForms::root_fraction)),
+      l_(shortened(line.l, line.half_bits, SectionForms::light_fraction)) {}
 
 }  // namespace halfspace

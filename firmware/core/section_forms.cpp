@@ -7,9 +7,8 @@
 namespace halfspace {
 namespace {
 
-constexpr int square_bits = 60;        // q and r s
-constexpr int discriminant_bits = 59;  // a bit less than quick_root allows: rounding may carry
-constexpr int root_fraction = 32;
+constexpr int square_bits = 59, discriminant_bits = 59;
+constexpr int root_bits = 30;
 
 // A face's polynomial about a dot, before it is scaled.
 struct WideBlock {
@@ -40,7 +39,7 @@ struct WideBlock {
 
 }  // namespace
 
-// As many lines as an eighth of the span has dots, and a quarter of it on either side; what the last block had beside, too, where this
+// As many lines as a sixteenth of the span has dots, and a quarter of it on either side; what the last block had beside, too, where this
 // line crosses it: a face may be seen in several spans.
 void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to) {
   const std::int32_t width = to - from + 1;
@@ -51,7 +50,7 @@ void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from,
     left = std::max(std::min(x0, left), to - 2 * longest_half + 1);
     right = std::min(std::max(x1, right), left + 2 * longest_half - 1);
   }
-  const std::int32_t lines = std::clamp<std::int32_t>(width / 16, 4, 32);
+  const std::int32_t lines = std::clamp<std::int32_t>(width / 32, 4, 16);
   x0 = left;
   x1 = right;
   y0 = y;
@@ -59,11 +58,12 @@ void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from,
   middle = x0 + (x1 - x0) / 2;
   line = y + lines;
   half = std::max<std::int32_t>(1, x1 - middle);
+  half_bits = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(half)));
   load(job.face.surface, job.table.light_bits, lines, middle - job.face.origin_x, line - job.face.origin_y);
   const std::int32_t reach = half + lines + 1;
   deep_from = (reach + 1) * (reach + 1);
   errors[0] = errors_for(reach + 1 + 4);
-  errors[1] = errors_for(6);
+  errors[1] = errors_for(deep_root_error);
 }
 
 // The scales follow root_shade.cpp: from the largest values that the block can reach, and where coefficients were rounded
@@ -74,7 +74,7 @@ void SectionForms::load(const RootSurface& f, int light_bits, std::int32_t lines
                                   f.discriminant.exponent > 0 ? quadratic_error_bits / 2 : -32);
   const WideBlock wide_q(f.square, x, y);
   const WideBlock wide_r(f.square_root, x, y);
-  const int r_bits = wide_r.bits(half, lines) + root_shift + square_bits / 2;
+  const int r_bits = wide_r.bits(half, lines) + root_shift + root_bits;
   int square_shift = std::max(wide_q.bits(half, lines), r_bits) + 1 - square_bits;
   if (f.square.exponent > 0) square_shift = std::max(square_shift, quadratic_error_bits);
   // L / (|N| 2^light_bits) must come out as in LevelTable: twice light's scale is square's.
@@ -86,7 +86,7 @@ void SectionForms::load(const RootSurface& f, int light_bits, std::int32_t lines
     square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
   }
   const WideBlock wide_l(f.light, x, y);
-  const int light_terms = std::max(wide_l.bits(half, lines), f.light_root.bit_length() + root_shift + square_bits / 2);
+  const int light_terms = std::max(wide_l.bits(half, lines), f.light_root.bit_length() + root_shift + root_bits);
   square_shift = std::max(square_shift, 2 * (light_terms - 31) - balance);
   square_shift += (square_shift + balance) & 1;
   const int light_shift = (square_shift + balance) / 2;
@@ -96,6 +96,7 @@ void SectionForms::load(const RootSurface& f, int light_bits, std::int32_t lines
   r = wide_r.linear(square_shift - root_shift - root_fraction);
   l = wide_l.linear(light_shift - light_fraction);
   m = static_cast<std::int32_t>(scaled(f.light_root, light_shift - root_shift - 30));
+  m_size = static_cast<std::int32_t>(magnitude(m) >> 30) + 1;
   may_be_dark = f.light_root.is_zero() && f.light.q[0].is_zero() && f.light.exponent == 0;
 }
 
@@ -104,6 +105,23 @@ SectionErrors SectionForms::errors_for(std::int32_t root_error) const {
   const std::int64_t light = (static_cast<std::int64_t>(magnitude(m)) * root_error >> 30) + 6;
   const std::int64_t square = (std::int64_t{root_error} << 30) + (std::int64_t{1} << 32) + deep_from;
   return {root_error, static_cast<std::int32_t>(light), static_cast<std::int32_t>(square >> 16) + 1};
+}
+
+Answer SectionForms::reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const {
+  const std::int32_t t = x - middle;
+  const LineForms on_y = on(y);
+  const std::int32_t s = on_y.d.root(t);
+  const std::int64_t slope = on_y.r.linear(t) >> root_fraction;
+  // The error of s can take a small |N|^2 below 0; the true one is not.
+  const Light dot{(on_y.l.linear(t) >> light_fraction) + (std::int64_t{m} * s >> 30),
+                  std::max<std::int64_t>(on_y.q.at(t) + slope * s, 0)};
+  const SectionErrors& e = errors[s >= deep_from ? 1 : 0];
+  const auto light = static_cast<std::uint64_t>(e.light);
+  const std::uint64_t from_l = (magnitude(dot.l) & 0xffffffffU) * (2 * light) + light * light;
+  const std::uint64_t from_n = (std::uint64_t{square} * static_cast<std::uint32_t>(e.square) >> 32) + 1;
+  // The rest: a square is rounded by less than 2^-32, its two products by less than 1 each.
+  const Margin margin{e.light, static_cast<std::int64_t>(from_l + (from_n << 16)) + (dot.n2 >> 32) + 4};
+  return compare(dot, margin, square);
 }
 
 }  // namespace halfspace

@@ -264,7 +264,7 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
         SectionForms& forms = job.contours->general.forms;
         forms.cover(job, line_y, dots.x0, dots.x1);
         if (forms.may_be_dark) return;
-        const LineSection line(forms, line_y);
+        const LineSection line(forms, forms.on(line_y));
         const auto from = static_cast<std::int32_t>(between(dice, dots.x0, dots.x1 - 2));
         const auto to = static_cast<std::int32_t>(between(dice, from + 2, std::min(dots.x1, from + 40)));
         const LevelDot a(line, from - line.middle(), 128);
