@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "firmware/core/general_contour.hpp"
 #include "firmware/core/reaches_level.hpp"
 #include "firmware/core/shade.hpp"
 #include "firmware/core/sphere_contour.hpp"
@@ -32,6 +33,7 @@ struct FaceContours {
   std::uint32_t dots = 0, steps = 0;        // of the last span: levels met from dot to dot
   SphereContours sphere;
   StraightContours straight;
+  GeneralContours general;
   std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
 };
 

@@ -2,7 +2,7 @@
 // chords (level_chord.hpp), whose ends tell where between them the boundaries between levels lie, to a small part of a dot.
 //   Proof    A place comes with a proven error; a dot within it is asked.
 //   Lengths  A chord as long as keeps that error small: grown from chord to chord, halved where it is not.
-// State   None between lines.
+// State   Between lines none but the forms of a block of them, which any line of it could make anew.
 #include <algorithm>
 
 #include "firmware/core/contour.hpp"
@@ -18,33 +18,6 @@ constexpr std::int32_t first_chord = 8;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
-// Bars of levels, T_k: they go up evenly. 32 bits of fraction.
-struct Bars {
-  std::uint32_t top = 0, step = 0;
-  std::int32_t top_level;
-  std::int32_t error;  // in 2^-30
-
-  Bars(const LevelTable& table, const Lighting& lighting);
-  [[nodiscard]] std::uint32_t of(std::int32_t k) const {
-    return top - static_cast<std::uint32_t>(top_level - k) * step;
-  }
-};
-
-// T_k goes as k unit - most ambient. The top one is a root of 30 bits, off by 3, and by what its square, cut to 32 bits, lacks;
-// a step is off by less than 1, and there are at most 2^8.
-Bars::Bars(const LevelTable& table, const Lighting& lighting) : top_level(table.top_level) {
-  const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(top_level)]} << 28 | 1;
-  const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
-  top = static_cast<std::uint32_t>(root) << 2;
-  error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
-  const std::int64_t height =
-      std::int64_t{top_level} * lighting.unit - std::int64_t{table.levels - 1} * lighting.ambient;
-  if (top_level > table.ambient_level + 1) {
-    step = static_cast<std::uint32_t>(std::uint64_t{top} * static_cast<std::uint64_t>(lighting.unit) /
-                                      static_cast<std::uint64_t>(height));
-  }
-}
-
 // A dot where a piece may begin or end.
 struct Stop {
   RidgeDot ridge;
@@ -53,13 +26,13 @@ struct Stop {
 
 class SpanTracer {
  public:
-  SpanTracer(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1)
+  SpanTracer(const ShadeJob& job, const LineForms& line, std::int32_t y, std::int32_t x0)
       : job_(job),
         y_(y),
-        line_(job, y, x0, x1),
-        ridge_(line_),
-        painter_(job.painter, x0, 0),
-        bars_(job.table, job.lighting) {}
+        bars_(job.contours->general.bars),
+        line_(job.contours->general.forms, line),
+        ridge_(job.contours->general.forms, line),
+        painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
 
@@ -71,26 +44,18 @@ class SpanTracer {
     return above >= -dot.error && settle(dot.t, k);
   }
   [[nodiscard]] bool reaches(const LevelDot& dot, std::int32_t k) const {
-    return reaches(dot, k, dot.above(bars_.of(k)));
+    return reaches(dot, k, dot.above(bars_.at(k)));
   }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
-    const std::uint32_t square = job_.table.squares[static_cast<std::size_t>(k)];
-    const LitDot dot = line_.dot(t);
-    const Answer answer = compare(dot.light, line_.margin(dot, square), square);
-    return answer == Answer::unsure ? reaches_level(job_, line_.middle() + t, y_, k) : answer == Answer::yes;
+    const std::int32_t x = line_.middle() + t;
+    const Answer answer = line_.forms().reaches(x, y_, job_.table.squares[static_cast<std::size_t>(k)]);
+    return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
   }
   // Sought from a level near it, or -1.
   [[nodiscard]] std::int32_t level_of(const LevelDot& dot, std::int32_t near) const {
     return search_level(job_.table, near, [&](std::int32_t k) { return reaches(dot, k); });
   }
-  [[nodiscard]] RidgeDot ridge_at(std::int32_t t) const {
-    const std::int32_t s = line_.root(t);
-    return ridge_.at(t, s, line_.root_error(s));
-  }
-  [[nodiscard]] Stop stop_at(std::int32_t t) const {
-    const LevelDot dot = level_dot(t);
-    return {ridge_.at(t, dot.s, dot.root_error), dot};
-  }
+  [[nodiscard]] Stop stop_at(std::int32_t t) const { return {ridge_.at(t), level_dot(t)}; }
 
   struct Piece {
     Course course;
@@ -119,10 +84,10 @@ class SpanTracer {
 
   const ShadeJob& job_;
   std::int32_t y_;
+  const LevelBars& bars_;
   LineSection line_;
   RidgeForm ridge_;
   RunPainter painter_;
-  Bars bars_;
   std::int32_t level_ = 0;  // so far
   std::int32_t chord_ = first_chord;
 };
@@ -131,7 +96,7 @@ class SpanTracer {
 bool SpanTracer::keeps_level(const LevelDot& a, const LevelDot& b) const {
   const LevelChord chord(line_, a, b);
   const auto keeps = [&](int sign, std::int32_t k) {
-    const std::uint32_t bar = bars_.of(k);
+    const std::uint32_t bar = bars_.at(k);
     return chord.keeps_sign(sign, bar, a.above(bar), b.above(bar));
   };
   return (level_ == job_.table.ambient_level || keeps(1, level_)) &&
@@ -170,7 +135,7 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
     const int shift = std::max(0, 13 - std::countl_zero(static_cast<std::uint32_t>(fall < 0 ? -fall : fall)));
     std::int32_t step = tries < 8 && fall != 0 ? way * (from.ridge.w >> shift) / (fall >> shift) : way / 2;
     step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
-    const RidgeStop next{from.t + step, ridge_at(from.t + step)};
+    const RidgeStop next{from.t + step, ridge_.at(from.t + step)};
     if (next.ridge.sign() == sign) {
       from = next;
       if (from_moved) other.ridge.w /= 2;
@@ -189,7 +154,7 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
   const Stop left = first.t == a.dot.t ? a : stop_at(first.t);
   monotone(a.dot, left.dot, a.ridge.sign() > 0);
-  RidgeStop last{first.t + 1, ridge_at(first.t + 1)};
+  RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
   const Stop right = last.t == b.dot.t ? b : stop_at(last.t);
   step_over(left, right);
@@ -215,7 +180,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   const std::int32_t step = rising ? 1 : -1;
   const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
-  std::uint32_t bar = bars_.of(k);
+  std::uint32_t bar = bars_.at(k);
   const auto is_beyond = [&](const LevelDot& dot, std::int32_t above) {
     return k != end && reaches(dot, k, above) == rising;
   };
@@ -266,12 +231,6 @@ SpanTracer::Piece SpanTracer::next_piece(const Stop& a, Stop& b) const {
 }
 
 void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
-  if (line_.dark()) {
-    painter_.change(x0, job_.table.ambient_level);
-    painter_.end(x1);
-    ++job_.counters.level_spans;
-    return;
-  }
   Stop a = stop_at(x0 - line_.middle());
   const Stop last = stop_at(x1 - line_.middle());
   level_ = level_of(a.dot, -1);
@@ -294,12 +253,45 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
   painter_.end(x1);
 }
 
+// L = 0 on the whole line.
+bool is_dark(const ShadeJob& job, std::int32_t y) {
+  const ActiveFace& face = job.face;
+  return job.contours->general.forms.may_be_dark && face.surface.light.at(0, y - face.origin_y).is_zero();
+}
+
+void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  SectionForms& forms = job.contours->general.forms;
+  if (!forms.holds(y, x0, x1)) forms.cover(job, y, x0, x1);
+  if (!is_dark(job, y)) return SpanTracer(job, forms.on(y), y, x0).run(x0, x1);
+  job.painter.fill(x0, x1, job.table.ambient_level);
+  ++job.counters.level_spans;
+}
+
 }  // namespace
 
+// T_k goes as k unit - most ambient. The top one is a root of 30 bits, off by 3, and by what its square, cut to 32 bits, lacks;
+// a step is off by less than 1, and there are at most 2^8.
+LevelBars LevelBars::of(const LevelTable& table, const Lighting& lighting) {
+  LevelBars bars{0, 0, table.top_level, 0};
+  const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(table.top_level)]} << 28 | 1;
+  const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
+  bars.top = static_cast<std::uint32_t>(root) << 2;
+  bars.error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
+  const std::int64_t height =
+      std::int64_t{table.top_level} * lighting.unit - std::int64_t{table.levels - 1} * lighting.ambient;
+  if (table.top_level > table.ambient_level + 1) {
+    bars.step = static_cast<std::uint32_t>(std::uint64_t{bars.top} * static_cast<std::uint64_t>(lighting.unit) /
+                                           static_cast<std::uint64_t>(height));
+  }
+  return bars;
+}
+
 bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  LevelBars& bars = job.contours->general.bars;
+  if (bars.error == 0) bars = LevelBars::of(job.table, job.lighting);
   while (x0 <= x1) {
     const std::int32_t end = std::min(x1, x0 + 2 * longest_half - 1);
-    SpanTracer(job, y, x0, end).run(x0, end);
+    trace(job, y, x0, end);
     x0 = end + 1;
   }
   return true;

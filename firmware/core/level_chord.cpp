@@ -52,17 +52,16 @@ class Divisor {
 }  // namespace
 
 LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error) {
-  const LitDot dot = line.quick_dot(at);
-  const QuickErrors& errors = line.quick_errors(dot);
+  const ShortDot dot = line.dot(at);
   t = at;
   s = dot.s;
   r = dot.r;
-  l = std::clamp(static_cast<std::int32_t>(dot.light.l), -largest, largest);
-  n = quick_root(static_cast<std::uint64_t>(std::clamp<std::int64_t>(dot.light.n2, 1, (1LL << 60) - 1)));
-  root_error = errors.root;
+  l = std::clamp(dot.l, -largest, largest);
+  n = short_root(std::max<std::int32_t>(dot.square, 1));
+  root_error = dot.root_error;
   // | |a| - |b| | <= |a^2 - b^2| / |a|
-  normal_error = errors.square / std::max<std::int32_t>(n >> 16, 1) + 4;
-  error = errors.light + normal_error + bar_error + 2;
+  normal_error = (dot.square_error << 12) / std::max<std::int32_t>(n >> 16, 1) + 4;
+  error = dot.light_error + normal_error + bar_error + 2;
 }
 
 // What taking the middle leaves out of F, where |ds| <= (s_a + s_b) / 5, |E| <= (s_a + s_b) / 32, and so for n and J:
@@ -79,12 +78,12 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   const auto root_error = static_cast<std::uint32_t>(std::max(a.root_error, b.root_error));
   const auto normal_error = static_cast<std::uint32_t>(std::max(a.normal_error, b.normal_error));
   if (!s.dwarfs(size(ds), 5) || !n.dwarfs(size(dn), 5) || !n.dwarfs(normal_error, 1 << 10)) return;
-  const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.discriminant().v2, width_));
+  const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_));
   if (!s.divides(bend)) return;
   const std::int32_t e = s.quotient(bend);
   const std::int32_t r = (a.r >> 1) + (b.r >> 1);
   const std::int32_t dr = difference(b.r, a.r);
-  const auto bulge = static_cast<std::int64_t>(second_difference(line.square().v2, width_) + product(dr, ds) -
+  const auto bulge = static_cast<std::int64_t>(second_difference(line.forms().q.xx, width_) + product(dr, ds) -
                                                product(dn, dn) - product(r, e));
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
@@ -94,7 +93,7 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
       static_cast<std::int64_t>(std::uint64_t{size(dr)} * (size(e) / 16 + root_error / 2 + 1) +
                                 (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{size(ds)} * 8);
   if (!n.divides(bulge_left)) return;
-  const std::int32_t m = line.light_root();
+  const std::int32_t m = line.forms().m;
   bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 30);
   normal_bow_ = 2 * j;
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +

@@ -12,6 +12,10 @@ constexpr std::int32_t form_error =
 // Product of two numbers of 30 bits of fraction.
 std::int32_t times(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::int64_t{a} * b >> 30); }
 
+// v 2^-shift, rounded down.
+constexpr std::int64_t shifted_down(std::int64_t v, int shift) {
+  return shift >= 0 ? v >> shift : v * (std::int64_t{1} << std::min(-shift, 62));
+}
 int bits(std::uint64_t v) { return static_cast<int>(std::bit_width(v)); }
 int sure_sign(std::int64_t value, std::int64_t error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
@@ -50,15 +54,19 @@ int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
 
 // The sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to 1/4 in l and m: light and square may be scaled at will,
 // D as s is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
-RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()) {
-  const int hb = line.half_bits();
-  const Terms d(line.discriminant(), hb);
-  const Terms q(line.square(), hb);
-  const Terms r(line.square_root(), hb);
-  const Terms l(line.light(), hb);
+RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
+    : discriminant_(line.d),
+      deep_from_(forms.deep_from),
+      limb_root_error_(forms.errors[0].root),
+      tau_shift_(30 - line.half_bits) {
+  const int hb = line.half_bits;
+  const Terms d(line.d, hb);
+  const Terms q(line.q, hb);
+  const Terms r(line.r, hb);
+  const Terms l(line.l, hb);
   root_shift_ = bits(d.size()) > 60 ? 1 : 0;
   const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift_))) - 29;
-  const std::int64_t m28 = std::int64_t{line.light_root()} * (1 << LineSection::light_fraction);
+  const std::int64_t m28 = std::int64_t{line.m} * (1 << SectionForms::light_fraction);
   const int l_shift = bits(l.size() + (magnitude(m28) << root_shift_)) - 28;
   for (int i = 0; i < 3; ++i) d_[i] = d.cut(i, 30 + 2 * root_shift_);
   const auto [d0, d1, d2] = d_;
@@ -86,7 +94,9 @@ RidgeForm::RidgeForm(const LineSection& line) : tau_shift_(30 - line.half_bits()
   alpha_[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
 }
 
-RidgeDot RidgeForm::at(std::int32_t t, std::int32_t s, std::int32_t root_error) const {
+RidgeDot RidgeForm::at(std::int32_t t) const {
+  const std::int32_t s = discriminant_.root(t);
+  const std::int32_t root_error = s >= deep_from_ ? SectionForms::deep_root_error : limb_root_error_;
   RidgeDot p;
   p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(t) << tau_shift_);
   p.s = s >> root_shift_;

@@ -16,7 +16,7 @@
 
 #include <cstdint>
 
-#include "firmware/core/line_section.hpp"
+#include "firmware/core/section_forms.hpp"
 
 namespace halfspace {
 
@@ -35,14 +35,15 @@ enum class Course : std::uint8_t { unsure, rising, falling, ridge };
 
 class RidgeForm {
  public:
-  explicit RidgeForm(const LineSection& line);
+  RidgeForm(const SectionForms& forms, const LineForms& line);
 
-  [[nodiscard]] RidgeDot at(std::int32_t t, std::int32_t s, std::int32_t root_error) const;
-  [[nodiscard]] RidgeDot at(const LitDot& dot, std::int32_t root_error) const { return at(dot.t, dot.s, root_error); }
+  [[nodiscard]] RidgeDot at(std::int32_t t) const;
   // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
  private:
+  LinePolynomial discriminant_;
+  std::int32_t deep_from_, limb_root_error_;
   int tau_shift_, root_shift_;
   std::int32_t d_[3], alpha_[3], beta_[2];
 };

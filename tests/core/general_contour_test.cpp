@@ -40,12 +40,15 @@ class Canvas {
       shade_span(job, Shader::isqrt, line, dots.x0, dots.x1);
     });
   }
+  // From now on, what contours know of a face serves its next lines.
+  void keep() { keeps_ = true; }
   template <class Shade>
   Row shade(const TestFace& face, const ExactModule& exact, std::int32_t y, DotRun run, Shade shade) {
     Row row;
     RowPainter painter(page_, words_, {});
     painter.begin(y);
-    shade(ShadeJob{face.active, lighting_, table_, exact, painter, row.counters}, y, run);
+    if (!keeps_) contours_ = {};
+    shade(ShadeJob{face.active, lighting_, table_, exact, painter, row.counters, 1, &contours_}, y, run);
     row.levels.resize(page_.row_bytes());
     painter.copy_to(row.levels);
     return row;
@@ -56,6 +59,8 @@ class Canvas {
   Page page_;
   std::vector<std::uint32_t> words_, squares_;
   LevelTable table_;
+  FaceContours contours_;
+  bool keeps_ = false;
 };
 
 struct Tally {
@@ -140,6 +145,34 @@ TEST(GeneralContour, FacesWithPolynomialNormals) {
   }
   EXPECT_GT(tally.dots, 100000U);
   EXPECT_LT(tally.asked * 4, tally.dots);
+}
+
+// Line after line, in one span or two: forms made for a block of lines serve all of them.
+TEST(GeneralContour, EveryLineOfAFace) {
+  Dice dice(38);
+  std::uint64_t dots = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 400 : between(dice, 8, 100));
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face =
+        solid_face(dice, between(dice, 0, width), between(dice, 0, width), between(dice, 1, width), lighting);
+    const std::int32_t levels = random_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, width);
+    if (face.active.kind != FaceKind::root || exact == nullptr) continue;
+    Canvas canvas(lighting, levels, width);
+    canvas.keep();
+    for (std::int32_t y = 0; y < width; ++y) {
+      for (const DotRun& run : runs_of(face, y, width)) {
+        const std::int32_t cut = dice() % 2 == 0 ? run.x1 : static_cast<std::int32_t>(between(dice, run.x0, run.x1));
+        for (const DotRun& part : {DotRun{run.x0, cut}, DotRun{cut, run.x1}}) {
+          ASSERT_EQ(canvas.contour(face, *exact, y, part).levels, canvas.dots(face, *exact, y, part).levels)
+              << "trial " << trial << " dots " << part.x0 << ".." << part.x1 << " line " << y;
+          dots += static_cast<std::uint64_t>(part.x1 - part.x0 + 1);
+        }
+      }
+    }
+  }
+  EXPECT_GT(dots, 200000U);
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
@@ -256,8 +289,10 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
       if (run.x1 - run.x0 < 2) continue;
       const std::vector<std::uint8_t> row = canvas.dots(face, *exact, y, run).levels;
       canvas.shade(face, *exact, y, run, [&](const ShadeJob& job, std::int32_t line_y, DotRun dots) {
-        const LineSection line(job, line_y, dots.x0, dots.x1);
-        if (line.dark()) return;
+        SectionForms& forms = job.contours->general.forms;
+        forms.cover(job, line_y, dots.x0, dots.x1);
+        if (forms.may_be_dark) return;
+        const LineSection line(forms, forms.on(line_y));
         const auto from = static_cast<std::int32_t>(between(dice, dots.x0, dots.x1 - 2));
         const auto to = static_cast<std::int32_t>(between(dice, from + 2, std::min(dots.x1, from + 40)));
         const LevelDot a(line, from - line.middle(), 128);

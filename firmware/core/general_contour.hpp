@@ -1,0 +1,27 @@
+// general_contour.hpp - what a face keeps for general_contour: nothing that any dot depends on but forms and bars.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/section_forms.hpp"
+
+namespace halfspace {
+
+// Bars of levels, T_k: they go up evenly. 32 bits of fraction.
+struct LevelBars {
+  std::uint32_t top = 0, step = 0;
+  std::int32_t top_level = 0;
+  std::int32_t error = 0;  // in 2^-30; 0: nothing is known yet
+
+  [[nodiscard]] static LevelBars of(const LevelTable& table, const Lighting& lighting);
+  [[nodiscard]] std::uint32_t at(std::int32_t k) const {
+    return top - static_cast<std::uint32_t>(top_level - k) * step;
+  }
+};
+
+struct GeneralContours {
+  SectionForms forms;
+  LevelBars bars;
+};
+
+}  // namespace halfspace
