@@ -12,6 +12,8 @@
 namespace halfspace {
 
 inline constexpr int depth_fraction = 16;
+inline constexpr std::int32_t strip_rows =
+    17;  // lines that a block made on the first of them lasts at least: curtain.hpp
 inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 dots: sums stay inside 64 bits
 
 // What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
@@ -19,6 +21,13 @@ void make_depth(ActiveFace& face);
 
 // Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
 void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
+
+// Makes it hold them for a strip of lines from y on, at the cost of a look where it does already.
+inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b) {
+  if (face.block.y1 < y + strip_rows - 1) face.block.y1 = -1;  // an old one is not widened
+  if (!face.block.holds(y, a, b)) make_block(face, y, a, b);
+  return face.block;
+}
 
 // -1: on dots x0 .. x1 of line y f is nearer than g, 1: g than f, 0: cannot tell at once. Both blocks hold these dots. What is found out is
 // good for lines to come and kept with f.
