@@ -29,10 +29,14 @@ inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::in
   return face.block;
 }
 
-// -1: on dots x0 .. x1 of line y f is nearer than g, 1: g than f, 0: cannot tell at once. Both blocks hold these dots. What is found out is
-// good for lines to come and kept with f.
+// What is known of f and g, whose blocks hold dots x0 .. x1 of line y, on these dots; kept with f, and good for lines to come.
 // Method  The difference of the linear parts of z at the corners, and the bounds of both roots.
-[[nodiscard]] int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1);
+//         Inner: f where z of f less z of g has the sign of a convex function, for that is below zero on an interval. A front sheet of
+//         concave D is convex and a back sheet concave, a plane both. Two such sheets of quadrics whose second-order terms are in proportion
+//         (spheres): with z = m - r the halves m differ by a constant k, r r by a linear form P. Where k >= 0, f is behind where
+//         r_f <= r_g + k, or P - k k - 2 k r_g <= 0: convex again, and g is the inner one. Back sheets exchange f and g, and the sign of z.
+[[nodiscard]] DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
+                                       std::int32_t x1);
 
 // floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.
 constexpr std::int64_t part(std::int64_t v, std::int32_t n, int bits) {
