@@ -148,14 +148,30 @@ constexpr ArcModule module_of{
     .step_down = [](void* state) { static_cast<Arc*>(state)->form.step_y(); },
     .settle = [](void* state) { return settle(*static_cast<Arc*>(state)); },
     .enter_window = nullptr,
+    .jump_down = nullptr,
+    .ahead = nullptr,
 };
+
+// No jump between lines of the arc overflows: a product of a difference and the lines is at most twelve times the form's largest value
+// there, for which holds() leaves four bits.
+template <class Arc>
+constexpr ArcModule module_that_rests = [] {
+  ArcModule module = module_of<Arc>;
+  module.jump_down = [](void* state, std::int32_t lines) { static_cast<Arc*>(state)->form.jump_y(lines); };
+  module.ahead = [](const void* state, std::int32_t lines) {
+    Arc arc = *static_cast<const Arc*>(state);
+    arc.form.jump_y(lines);
+    return settle(arc);
+  };
+  return module;
+}();
 
 }  // namespace
 
-const ArcModule line_arc_64 = module_of<LineArc<std::int64_t>>;
+const ArcModule line_arc_64 = module_that_rests<LineArc<std::int64_t>>;
 const ArcModule line_arc_128 = module_of<LineArc<Wide<128>>>;
 const ArcModule line_arc_256 = module_of<LineArc<Wide<256>>>;
-const ArcModule conic_arc_64 = module_of<ConicArc<std::int64_t>>;
+const ArcModule conic_arc_64 = module_that_rests<ConicArc<std::int64_t>>;
 const ArcModule conic_arc_128 = module_of<ConicArc<Wide<128>>>;
 const ArcModule conic_arc_256 = module_of<ConicArc<Wide<256>>>;
 

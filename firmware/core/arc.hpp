@@ -41,6 +41,9 @@ struct ArcModule {
   void (*step_down)(void* state);                                   // to the next line
   ArcCrossing (*settle)(void* state);                               // on the current line: sideways to the crossing
   void (*enter_window)(JobReader& in, void* state);  // the rest of a window record; null: the kind has none
+  // Kinds whose crossing curves one way all along may rest (curtain.hpp); both null: to look ahead would cost what a rest saves.
+  void (*jump_down)(void* state, std::int32_t lines);
+  ArcCrossing (*ahead)(const void* state, std::int32_t lines);  // what settle() will say after so many lines more
 };
 
 extern const ArcModule line_arc_64, line_arc_128, line_arc_256;

@@ -209,9 +209,9 @@ void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t 
   face.block.y0 = face.block.y1 = static_cast<std::int16_t>(y);
 }
 
-DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
-                       const ExactModule& exact, Counters& counters)
-    : f_(f), g_(g), f_line_(f, y), g_line_(g, y), y_(y), exact_(exact), counters_(counters) {
+DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y, std::int32_t a,
+                       std::int32_t b, const ExactModule& exact, Counters& counters)
+    : f_(f), g_(g), proof_(proof), f_line_(f, y), g_line_(g, y), y_(y), exact_(exact), counters_(counters) {
   push(a, b, 0);
 }
 
@@ -264,28 +264,46 @@ DepthOrder::Step DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
   return Step::settled;
 }
 
-// Cuts a run, at whose ends the order differs for sure, between the two dots where it changes.
+// Where to look for the dots between which the order changes: where it did last, on either side of that, then by chords, and every
+// third time halfway.
+std::int32_t DepthOrder::next_guess(const Pair& left, const Pair& right, int step) const {
+  const std::int32_t last = proof_.crossing;
+  if (step < 2 && left.x <= last && last <= right.x) {
+    if (last == left.x) return left.x + 1;
+    return last == right.x ? right.x - 1 : last;
+  }
+  return step % 3 == 2 ? left.x + (right.x - left.x) / 2 : chord_crossing(left, right);
+}
+
+// Cuts a run, at whose ends the order differs for sure, between the two dots where it changes. If one of the faces is the inner one it
+// changes there alone, and not at all where that one shows at both ends.
 DepthOrder::Step DepthOrder::cross(const Run& run, Piece& piece) {
   const Pair first = sample(run.a);
   const Pair last = sample(run.b);
   recent_[0] = first;
   recent_[2] = last;
   const int sign = sure_sign(first);
-  if (sign == 0 || sure_sign(last) != -sign) return Step::none;
+  const int behind = sure_sign(last);
+  const bool once = proof_.inner != 0;
+  if (once && sign == proof_.inner && behind == sign) {
+    piece = {run.b, sign < 0};
+    return Step::settled;
+  }
+  if (sign == 0 || behind != -sign) return Step::none;
   --crossings_;
   Pair left = first;
   Pair right = last;
-  for (int step = 1; right.x - left.x > 1; ++step) {
-    const std::int32_t x = step % 3 == 0 ? left.x + (right.x - left.x) / 2 : chord_crossing(left, right);
+  for (int step = 0; right.x - left.x > 1; ++step) {
+    const std::int32_t x = next_guess(left, right, step);
     counters_.depth_samples += 2;
     const Pair at{x, f_line_.at(x), g_line_.at(x)};
     const int here = sure_sign(at);
     if (here == 0) return Step::none;
     (here == sign ? left : right) = at;
   }
-  const int before = left.x == run.a ? sign : nearer_between(first, left, right);
-  const int behind = right.x == run.b ? -sign : nearer_between(last, right, left);
-  push(right.x, run.b, behind);
+  proof_.crossing = static_cast<std::int16_t>(right.x);
+  const int before = once || left.x == run.a ? sign : nearer_between(first, left, right);
+  push(right.x, run.b, once || right.x == run.b ? -sign : nearer_between(last, right, left));
   piece = {left.x, before < 0};
   if (before != 0) return Step::settled;
   push(run.a, left.x, 0);

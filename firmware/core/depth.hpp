@@ -79,8 +79,9 @@ struct DepthPair {
 // right.
 class DepthOrder {
  public:
-  DepthOrder(const ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t a, std::int32_t b,
-             const ExactModule& exact, Counters& counters);
+  // `proof` is what is known of them; it takes where their order changes.
+  DepthOrder(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y, std::int32_t a,
+             std::int32_t b, const ExactModule& exact, Counters& counters);
 
   // The next piece: dots up to and including `end`, and whether f (else g) is the one to show there.
   struct Piece {
@@ -100,6 +101,7 @@ class DepthOrder {
   enum class Step : std::uint8_t { settled, halved, none };
 
   void push(std::int32_t a, std::int32_t b, int known);
+  [[nodiscard]] std::int32_t next_guess(const DepthPair& left, const DepthPair& right, int step) const;
   Step cross(const Run& run, Piece& piece);
   Step halve(const Run& run, Piece& piece);
   Step settle_by_ends(const Run& run, Piece& piece);
@@ -110,6 +112,7 @@ class DepthOrder {
 
   const ActiveFace& f_;
   const ActiveFace& g_;
+  DepthProof& proof_;
   DepthLine f_line_, g_line_;
   std::int32_t y_;
   const ExactModule& exact_;

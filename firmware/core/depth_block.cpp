@@ -10,7 +10,8 @@ namespace halfspace {
 namespace {
 
 constexpr std::int32_t largest_dot = 32767;
-constexpr std::int32_t least_rows = 8, most_rows = 256;
+constexpr std::int32_t least_rows = 8;   // of a proof
+constexpr std::int32_t most_rows = 256;  // of a block
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
@@ -169,27 +170,58 @@ Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& 
   return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
 }
 
+// How z bends along a line: -1 convex, 1 concave, 0 straight; 2: it cannot be told.
+int bend_of(const ActiveFace& face) {
+  if (face.kind == FaceKind::plane) return 0;
+  return face.kind == FaceKind::root && face.surface.discriminant.q[0].negative() ? face.sheet : 2;
+}
+
+// DepthProof::inner.
+int inner_face(const ActiveFace& f, const ActiveFace& g) {
+  const int bend = bend_of(f);
+  const int rival = bend_of(g);
+  if (bend == 2 || rival == 2) return 0;
+  if (bend <= 0 && rival >= 0) return -1;
+  if (bend >= 0 && rival <= 0) return 1;
+  using Int = Wide<256>;
+  const Int a(f.c[2]);
+  const Int rival_a(g.c[2]);
+  for (int i = 0; i < 6; ++i) {
+    if (i != 2 && Int(f.c[i]) * rival_a != Int(g.c[i]) * a) return 0;
+  }
+  const Int middle = Int(f.c[5]).times(f.origin_x - g.origin_x) + Int(f.c[4]).times(f.origin_y - g.origin_y) +
+                     a * (Int(f.origin_z) - Int(g.origin_z)) - Int(f.c[8]);
+  return (middle * rival_a + Int(g.c[8]) * a).negative() ? -1 : 1;
+}
+
 }  // namespace
 
-int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  const auto about_g = [&](const DepthProof& proof) { return proof.rival == g.order && proof.holds(y, x0, x1); };
-  for (const DepthProof& proof : f.proofs) {
-    if (about_g(proof)) return proof.nearer;
+DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  DepthProof* last = nullptr;
+  for (DepthProof& proof : f.proofs) {
+    if (proof.rival != g.order || proof.x1 < proof.x0) continue;
+    if (proof.holds(y, x0, x1)) return proof;
+    last = &proof;
   }
-  f.proofs[1] = f.proofs[0];
-  DepthProof& proof = f.proofs[0];
+  if (last == nullptr) {
+    f.proofs[1] = f.proofs[0];
+    last = f.proofs.data();
+    *last = {};
+    last->rival = g.order;
+    last->inner = static_cast<std::int8_t>(inner_face(f, g));
+  }
+  DepthProof& proof = *last;
   const std::int32_t margin = (x1 - x0) / 4;
-  proof.rival = g.order;
   proof.x0 = std::max({static_cast<std::int16_t>(x0 - margin - 4), f.block.x0, g.block.x0});
   proof.x1 = std::min({static_cast<std::int16_t>(x1 + margin + 4), f.block.x1, g.block.x1});
   proof.y0 = static_cast<std::int16_t>(y);
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
-  if (f.block.error < 0 || g.block.error < 0) return 0;
+  if (f.block.error < 0 || g.block.error < 0) return proof;
   const Interval distance = difference(f, g, proof);
   if (distance.high < 0) proof.nearer = -1;
   if (distance.low > 0) proof.nearer = 1;
-  return proof.nearer;
+  return proof;
 }
 
 void make_depth(ActiveFace& face) {
@@ -210,7 +242,7 @@ void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b
     b = std::max<std::int32_t>(b, k.x1);
   }
   const std::int32_t margin = (b - a) / 4;
-  const std::int32_t rows = std::clamp(margin, least_rows, most_rows);
+  const std::int32_t rows = std::clamp(margin, strip_rows, most_rows);
   k.x0 = static_cast<std::int16_t>(std::max<std::int32_t>(a - margin - 4, 0));
   k.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(b + margin + 4, largest_dot));
   k.y0 = static_cast<std::int16_t>(y);

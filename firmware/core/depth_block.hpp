@@ -12,6 +12,8 @@
 namespace halfspace {
 
 inline constexpr int depth_fraction = 16;
+inline constexpr std::int32_t strip_rows =
+    17;  // lines that a block made on the first of them lasts at least: curtain.hpp
 inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 dots: sums stay inside 64 bits
 
 // What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
@@ -20,10 +22,21 @@ void make_depth(ActiveFace& face);
 // Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
 void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
 
-// -1: on dots x0 .. x1 of line y f is nearer than g, 1: g than f, 0: cannot tell at once. Both blocks hold these dots. What is found out is
-// good for lines to come and kept with f.
+// Makes it hold them for a strip of lines from y on, at the cost of a look where it does already.
+inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b) {
+  if (face.block.y1 < y + strip_rows - 1) face.block.y1 = -1;  // an old one is not widened
+  if (!face.block.holds(y, a, b)) make_block(face, y, a, b);
+  return face.block;
+}
+
+// What is known of f and g, whose blocks hold dots x0 .. x1 of line y, on these dots; kept with f, and good for lines to come.
 // Method  The difference of the linear parts of z at the corners, and the bounds of both roots.
-[[nodiscard]] int proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1);
+//         Inner: f where z of f less z of g has the sign of a convex function, for that is below zero on an interval. A front sheet of
+//         concave D is convex and a back sheet concave, a plane both. Two such sheets of quadrics whose second-order terms are in proportion
+//         (spheres): with z = m - r the halves m differ by a constant k, r r by a linear form P. Where k >= 0, f is behind where
+//         r_f <= r_g + k, or P - k k - 2 k r_g <= 0: convex again, and g is the inner one. Back sheets exchange f and g, and the sign of z.
+[[nodiscard]] DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
+                                       std::int32_t x1);
 
 // floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.
 constexpr std::int64_t part(std::int64_t v, std::int32_t n, int bits) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/curtain.hpp"
 #include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
 #include "firmware/core/job_reader.hpp"
@@ -16,16 +17,18 @@ namespace {
 struct ArcSlot {
   const ArcModule* module = nullptr;
   std::int16_t last = -1;  // scan line
-  ArcCrossing crossing;
+  ArcCrossing crossing;    // stale while it rests
+  bool rests = false;      // only hidden cells ask for it: it stands where the strip began
 };
 
 struct CellSlot {
   std::uint16_t face = 0;
   std::uint16_t left = no_slot, right = no_slot;  // arcs; both no_slot with `fixed`: x0 and x1 stand
   std::int16_t last = -1;                         // scan line
-  std::int16_t x0 = 0, x1 = -1;                   // dots on the current line
-  bool fixed = false;
-  bool rational = false;  // its face: some dots may have no depth
+  std::int16_t x0 = 0, x1 = -1;                   // dots on the current line; hidden: all that it may have on the strip
+  bool fixed : 1 = false;
+  bool rational : 1 = false;  // its face: some dots may have no depth
+  bool hidden : 1 = false;    // by the curtain, until the next strip
 };
 
 // Carves pools out of the caller's memory, each aligned to 8 bytes. With no memory it only counts.
@@ -57,6 +60,7 @@ struct Pools {
   std::span<std::uint16_t> active_arcs, active_cells;
   std::span<CellSlot> cells;
   std::span<Span> spans;
+  std::span<std::int32_t> columns;  // of the curtain
   std::span<std::uint32_t> squares;
   std::span<PatternRow> patterns;
   std::span<std::uint32_t> row;
@@ -79,6 +83,7 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   p.active_cells = arena.take<std::uint16_t>(size(h.needs.cells));
   p.cells = arena.take<CellSlot>(size(h.needs.cells));
   p.spans = arena.take<Span>(size(h.needs.spans));
+  p.columns = arena.take<std::int32_t>(Curtain::columns_of(h.page.width));
   p.squares = arena.take<std::uint32_t>(size(h.page.levels));
   p.patterns = arena.take<PatternRow>(bilevel ? size(h.page.levels) * cell_side : 0);
   p.row = arena.take<std::uint32_t>(row_words(h.page));
@@ -114,6 +119,7 @@ class Engine {
         arc_bytes_(static_cast<std::size_t>(state_bytes(header))),
         result_(result),
         spans_(pools.spans, pools.faces, exact, result.counters),
+        curtain_(pools.columns),
         painter_(header.page, pools.row, pools.patterns),
         levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
 
@@ -126,6 +132,7 @@ class Engine {
       advance(y);
       read_records(y);
       if (result_.status == DrawStatus::ok) settle_arcs();
+      if (result_.status == DrawStatus::ok && y - strip_ == strip_rows) begin_strip(y);
       if (result_.status == DrawStatus::ok) sweep(y);
       if (result_.status == DrawStatus::ok && !options_.measure) put_row(y);
     }
@@ -244,6 +251,7 @@ class Engine {
     cell.right = arc_or_none();
     cell.last = last_line(y);
     activate(number, cell, y);
+    for (const std::uint16_t arc : {cell.left, cell.right}) wake(arc, y);
   }
 
   void read_span(std::int32_t y) {
@@ -276,7 +284,11 @@ class Engine {
     for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
       const ArcSlot& arc = p_.arcs[number];
       if (arc.last < y) continue;
-      arc.module->step_down(state(number));
+      if (!arc.rests) {
+        arc.module->step_down(state(number));
+      } else if (y - strip_ == strip_rows) {
+        wake(number, y);
+      }
       p_.active_arcs[kept++] = number;
     }
     active_arc_count_ = kept;
@@ -291,8 +303,62 @@ class Engine {
   void settle_arcs() {
     for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
       ArcSlot& arc = p_.arcs[number];
-      arc.crossing = arc.module->settle(state(number));
+      if (!arc.rests) arc.crossing = arc.module->settle(state(number));
     }
+  }
+
+  // --- strips ---
+
+  void wake(std::uint16_t number, std::int32_t y) {
+    if (number == no_slot || !p_.arcs[number].rests || p_.arcs[number].last < y) return;
+    p_.arcs[number].module->jump_down(state(number), y - strip_);
+    p_.arcs[number].rests = false;
+  }
+
+  // Where two cells in three and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip: those
+  // that it hides rest, and arcs that no other cell asks for.
+  void begin_strip(std::int32_t y) {
+    strip_ = y;
+    const std::span<const std::uint16_t> active = p_.active_cells.first(active_cell_count_);
+    for (const std::uint16_t number : active) p_.cells[number].hidden = false;
+    if (static_cast<std::int32_t>(active_cell_count_) <= 3 * spans_.used()) return;
+    curtain_.open();
+    for (const std::uint16_t number : active) p_.cells[number].hidden = covers_strip(p_.cells[number], y);
+    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
+      p_.arcs[number].rests = p_.arcs[number].module->jump_down != nullptr;
+    }
+    for (const std::uint16_t number : active) {
+      CellSlot& cell = p_.cells[number];
+      if (cell.hidden) cell.hidden = curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low);
+      if (cell.hidden) continue;
+      for (const std::uint16_t arc : {cell.left, cell.right}) {
+        if (arc != no_slot) p_.arcs[arc].rests = false;
+      }
+    }
+  }
+
+  // Hangs a cell's part of the curtain and finds the dots between which it stays. False: it does not last, or may be anywhere in depth.
+  bool covers_strip(CellSlot& cell, std::int32_t y) {
+    if (cell.fixed || cell.rational || cell.last < y + strip_end) return false;
+    if (!lasts_strip(cell.left, y) || !lasts_strip(cell.right, y)) return false;
+    const CrossingRange left = cell.left == no_slot ? CrossingRange{h_.x0, h_.x0} : range_of(cell.left);
+    const CrossingRange right = cell.right == no_slot ? CrossingRange{h_.x1 + 1, h_.x1 + 1} : range_of(cell.right);
+    cell.x0 = static_cast<std::int16_t>(std::max(left.low, h_.x0));
+    cell.x1 = static_cast<std::int16_t>(std::min(right.high, h_.x1));
+    if (cell.x0 > cell.x1) return false;
+    const DepthBlock& block = bounded_strip(p_.faces[cell.face], y, cell.x0, cell.x1);
+    curtain_.cover(left.high, right.low - 1, block.high);
+    return true;
+  }
+
+  [[nodiscard]] bool lasts_strip(std::uint16_t arc, std::int32_t y) const {
+    return arc == no_slot || (p_.arcs[arc].last >= y + strip_end && p_.arcs[arc].module->ahead != nullptr);
+  }
+
+  [[nodiscard]] CrossingRange range_of(std::uint16_t number) {
+    const ArcSlot& arc = p_.arcs[number];
+    const auto after = [&](std::int32_t lines) { return arc.module->ahead(state(number), lines).at_or_right; };
+    return crossing_range(arc.crossing.at_or_right, after(strip_middle), after(strip_end), h_.x0, h_.x1);
   }
 
   // The dots of a cell on the current line: closed between its arcs.
@@ -314,7 +380,7 @@ class Engine {
     CellSlot* cells = p_.cells.data();
     for (std::size_t i = 0; i < active_cell_count_; ++i) {
       const std::uint16_t number = list[i];
-      place(cells[number], y);
+      if (!cells[number].hidden) place(cells[number], y);
       const std::int16_t x0 = cells[number].x0;
       std::size_t j = i;
       for (; j > 0 && cells[list[j - 1]].x0 > x0; --j) list[j] = list[j - 1];
@@ -329,7 +395,7 @@ class Engine {
     spans_.clear(y);
     for (std::size_t i = 0; i < active_cell_count_; ++i) {
       const CellSlot& cell = p_.cells[p_.active_cells[i]];
-      if (cell.x0 > cell.x1) continue;
+      if (cell.hidden || cell.x0 > cell.x1) continue;
       if (!spans_.insert(cell.face, cell.x0, cell.x1)) {
         result_.have = static_cast<std::int64_t>(p_.spans.size());
         result_.need = result_.have + 1;
@@ -400,6 +466,8 @@ class Engine {
   std::size_t arc_bytes_;
   DrawResult& result_;
   SpanList spans_;
+  Curtain curtain_;
+  std::int32_t strip_ = -strip_rows;  // the line where the current strip began
   RowPainter painter_;
   LevelTable levels_;
   Record type_ = Record::end;

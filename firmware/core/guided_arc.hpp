@@ -115,6 +115,8 @@ constexpr ArcModule guided_module{
           auto& arc = *static_cast<GuidedArc<Form>*>(state);
           arc.window = ArcWindow::read(in, arc.origin_x);
         },
+    .jump_down = nullptr,
+    .ahead = nullptr,
 };
 
 }  // namespace halfspace

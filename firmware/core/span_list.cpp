@@ -41,9 +41,10 @@ void SpanList::remove(std::uint16_t slot) {
 // Dots x0 .. x1, all covered by the old face until now: the nearer of both, piece by piece.
 bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
   const bool curved = faces_[face].kind != FaceKind::rational && faces_[old_face].kind != FaceKind::rational;
-  const int nearer = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : 0;
-  if (nearer != 0) return add(nearer < 0 ? face : old_face, x0, x1);
-  DepthOrder order(faces_[face], faces_[old_face], y_, x0, x1, exact_, counters_);
+  DepthProof nothing;
+  DepthProof& proof = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : nothing;
+  if (proof.nearer != 0) return add(proof.nearer < 0 ? face : old_face, x0, x1);
+  DepthOrder order(faces_[face], faces_[old_face], proof, y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();
     if (!add(piece.first ? face : old_face, x0, piece.end)) return false;

@@ -33,7 +33,9 @@ DepthSample sample_at(ActiveFace& face, std::int32_t x, std::int32_t y, std::int
 DepthOrder order_of(TestFace& f, TestFace& g, std::int32_t y, DotRun run, const ExactModule& exact,
                     Counters& counters) {
   for (TestFace* face : {&f, &g}) bound_depth(face->active, y, run.x0, run.x1, counters);
-  return {f.active, g.active, y, run.x0, run.x1, exact, counters};
+  const bool rational = f.active.kind == FaceKind::rational || g.active.kind == FaceKind::rational;
+  DepthProof& proof = rational ? f.active.proofs[0] : proven_order(f.active, g.active, y, run.x0, run.x1);
+  return {f.active, g.active, proof, y, run.x0, run.x1, exact, counters};
 }
 
 // |z - p| d <= error d, z and error in 2^-16 dot: two signs decide.
@@ -120,10 +122,10 @@ TEST(ProvenOrder, HoldsOnAllDotsOfTheProof) {
     const auto a = static_cast<std::int32_t>(between(dice, 0, side - 1));
     const auto b = static_cast<std::int32_t>(between(dice, a, side - 1));
     for (TestFace* face : {&f, &g}) make_block(face->active, y, a, b);
-    const int nearer = proven_order(f.active, g.active, y, a, b);
-    const DepthProof& proof = f.active.proofs[0];
+    const DepthProof& proof = proven_order(f.active, g.active, y, a, b);
+    const int nearer = proof.nearer;
     ASSERT_TRUE(proof.holds(y, a, b));
-    ASSERT_EQ(proven_order(f.active, g.active, proof.y1, proof.x0, proof.x1), nearer) << "the proof is kept";
+    ASSERT_EQ(&proven_order(f.active, g.active, proof.y1, proof.x0, proof.x1), &proof) << "the proof is kept";
     if (nearer == 0) continue;
     for (int i = 0; i < 20; ++i) {
       const auto px = static_cast<std::int32_t>(between(dice, proof.x0, proof.x1));
@@ -222,6 +224,39 @@ TEST(DepthOrder, PiecesEqualTheExactOrderDotByDot) {
       }
     }
   }
+}
+
+// Balls in integers that are coarse, so that they also touch, tie and meet on dots: down their lines, with what earlier ones have found.
+TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
+  Dice dice(16);
+  const Lighting lighting;
+  const auto ball = [&](std::uint32_t order, int sheet) {
+    std::array<mpz_class, 10> c;
+    const mpz_class a = 1 << between(dice, 0, 3);
+    c[0] = c[1] = c[2] = a;
+    for (int i = 6; i < 9; ++i) c[static_cast<std::size_t>(i)] = between(dice, -6, 6);
+    c[9] = -a * mpz_class(between(dice, 4, 700));
+    return make_face(FaceKind::root, c, {between(dice, 20, 44), between(dice, 20, 44), between(dice, -9, 9)}, sheet, 1,
+                     order, lighting);
+  };
+  int changes = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    TestFace f = ball(1, dice() % 4 == 0 ? 1 : -1);
+    TestFace g = ball(2, dice() % 4 == 0 ? 1 : -1);
+    const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
+    ASSERT_NE(exact, nullptr);
+    for (std::int32_t y = 0; y < side; ++y) {
+      const auto runs_f = runs_of(f, y, side);
+      const auto runs_g = runs_of(g, y, side);
+      if (runs_f.empty() || runs_g.empty()) continue;
+      const DotRun both{std::max(runs_f[0].x0, runs_g[0].x0), std::min(runs_f[0].x1, runs_g[0].x1)};
+      if (both.x0 > both.x1) continue;
+      expect_dot_by_dot(f, g, *exact, y, both);
+      ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+      changes += f.active.proofs[0].crossing >= 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changes, 1000);
 }
 
 // Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.
