@@ -44,15 +44,26 @@ class Windows {
  private:
   struct Line {
     const std::vector<Obstacle>& obstacles;
+    const ValueOnLine& value;
     std::size_t root;
+  };
+  // The forms that separators are tested by, from a window's first line.
+  struct FromLine {
+    std::int64_t y = 0;
+    QuarticForm d, n;
   };
 
   Line line(std::int64_t y) {
-    const auto [at, is_new] = lines_.try_emplace(y);
-    if (is_new) at->second = obstacles_on_line(form_, y, table_);
+    auto at = lines_.find(y);
+    if (at == lines_.end()) {
+      ValueOnLine value(*form_.sheets, form_.value(), static_cast<long>(y));
+      std::vector<Obstacle> obstacles = obstacles_on_line(form_, y, value, table_);
+      at = lines_.emplace(y, KnownLine{std::move(value), std::move(obstacles)}).first;
+    }
+    const KnownLine& known = at->second;
     std::size_t root = 0;
-    while (at->second[root].rank != rank_) ++root;
-    return {at->second, root};
+    while (known.obstacles[root].rank != rank_) ++root;
+    return {known.obstacles, known.value, root};
   }
 
   // The dots beside the root: no dot between them but one that is the root.
@@ -70,7 +81,7 @@ class Windows {
     const LineRoot beside =
         at.root == 0 ? rational_root(floor_of(x) - 1, 1) : rational_between(at.obstacles[at.root - 1].x, x);
     if (!form_.has_limb()) return sign_at(restricted(form_.part, static_cast<long>(y)), beside) < 0;
-    return ValueOnLine(*form_.sheets, form_.value(), static_cast<long>(y)).sign(form_.sheet, beside) < 0;
+    return at.value.sign(form_.sheet, beside) < 0;
   }
 
   // Beyond the limb that is counted as missing nothing is asked; at the other side's limb a separator comes first.
@@ -115,22 +126,35 @@ class Windows {
     return side < 0 ? root - steps : root + steps;
   }
 
+  // Both sides of a window and shorter ones that are tried begin on one line.
+  const FromLine& forms_from(std::int64_t y) {
+    if (from_ && from_->y == y) return *from_;
+    const mpz_class start = static_cast<long>(y);
+    if (form_.has_limb()) {
+      from_ = FromLine{y, from_line(as_quartic(form_.sheets->d), start), from_line(form_.value().n, start)};
+    } else {
+      from_ = FromLine{y, {}, from_line(form_.part, start)};
+    }
+    return *from_;
+  }
+
   // Neither d nor the form vanishes along the separator. Where d < 0 from the start there is no form.
-  [[nodiscard]] bool is_clear(const Separator& separator, std::int64_t y0, std::int64_t y1) const {
+  [[nodiscard]] bool is_clear(const Separator& separator, std::int64_t y0, std::int64_t y1) {
     const mpz_class length = static_cast<long>(y1 - y0);
     const auto on_separator = [&](const QuarticForm& p) {
-      return along(p, static_cast<long>(separator.at), static_cast<long>(separator.step), separator_unit,
-                   static_cast<long>(y0));
+      return along(p, static_cast<long>(separator.at), static_cast<long>(separator.step), separator_unit);
     };
     const auto keeps_sign = [&](const Polynomial& p) { return surely_without_zero(p, 0, length); };
-    if (!form_.has_limb()) return keeps_sign(on_separator(form_.part));
-    const Polynomial d = on_separator(as_quartic(form_.sheets->d));
+    const FromLine& from = forms_from(y0);
+    if (!form_.has_limb()) return keeps_sign(on_separator(from.n));
+    const Polynomial d = on_separator(from.d);
     if (!keeps_sign(d)) return false;
     if (sgn(d[0]) < 0) return true;
+    if (keeps_sign(on_separator(from.n))) return true;
     const Constraint& k = form_.value();
-    if (keeps_sign(on_separator(k.n))) return true;
-    const Polynomial p = on_separator(as_quartic(k.p));
-    const Polynomial r = on_separator(as_quartic(k.r));
+    const mpz_class start = static_cast<long>(y0);
+    const Polynomial p = on_separator(from_line(as_quartic(k.p), start));
+    const Polynomial r = on_separator(from_line(as_quartic(k.r), start));
     const int t = form_.sheet == Sheet::front ? -1 : 1;
     return keeps_sign(p) && keeps_sign(r) && sgn(p[0]) == t * sgn(r[0]);
   }
@@ -139,6 +163,7 @@ class Windows {
   int rank_;
   KnownLines& lines_;
   QuarticTable& table_;
+  std::optional<FromLine> from_;
   std::vector<ProvedWindow> windows_;
 };
 

@@ -33,9 +33,12 @@ void make_canonical(QuarticForm& p);
 // On the scan line y, in powers of x.
 [[nodiscard]] Polynomial restricted(const QuarticForm& p, const mpz_class& y);
 
-// denominator^n p(x, y), n its degree, on the line x = (at + step t) / denominator, y = start + t, in powers of t.
+// p(x, start + y).
+[[nodiscard]] QuarticForm from_line(QuarticForm p, const mpz_class& start);
+
+// denominator^n p(x, t), n its degree, on the line x = (at + step t) / denominator, in powers of t.
 [[nodiscard]] Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step,
-                               const mpz_class& denominator, const mpz_class& start);
+                               const mpz_class& denominator);
 
 // Factors irreducible over the rationals, each once, canonical.
 struct PlaneFactors {
