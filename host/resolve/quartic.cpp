@@ -66,15 +66,6 @@ class PlanePolynomial {
   fmpz_mpoly_t p_;
 };
 
-std::size_t degree_of(const QuarticForm& p) {
-  for (std::size_t n = 4; n > 0; --n) {
-    for (std::size_t j = 0; j <= n; ++j) {
-      if (sgn(p.q[quartic_index(n - j, j)]) != 0) return n;
-    }
-  }
-  return 0;
-}
-
 Curve as_curve(const QuarticForm& p) {
   const auto& q = p.q;
   return {{q[quartic_index(2, 0)], q[quartic_index(1, 1)], q[quartic_index(0, 2)], q[quartic_index(1, 0)],
@@ -146,6 +137,15 @@ QuarticForm operator*(const mpz_class& factor, QuarticForm p) {
 
 bool is_zero(const QuarticForm& p) {
   return std::all_of(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) == 0; });
+}
+
+std::size_t degree_of(const QuarticForm& p) {
+  for (std::size_t n = 4; n > 0; --n) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      if (sgn(p.q[quartic_index(n - j, j)]) != 0) return n;
+    }
+  }
+  return 0;
 }
 
 Polynomial restricted(const QuarticForm& p, const mpz_class& y) {

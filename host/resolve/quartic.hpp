@@ -26,6 +26,7 @@ static_assert(quartic_index(4, 0) == 0 && quartic_index(0, 4) == 4 && quartic_in
 [[nodiscard]] QuarticForm operator*(const mpz_class& factor, QuarticForm p);
 
 [[nodiscard]] bool is_zero(const QuarticForm& p);
+[[nodiscard]] std::size_t degree_of(const QuarticForm& p);  // 0 for zero
 
 // Divides by the content and makes the first coefficient that is not 0 positive.
 void make_canonical(QuarticForm& p);
