@@ -35,7 +35,7 @@ CellRange cells_around(HalfSpaceKind kind, std::size_t coordinate, Real v) {
   const double cells = cells_per_unit(kind, coordinate);
   const double size = std::min(std::abs(static_cast<double>(v)) * cells, 0x1p43) + 0.5;
   const double reach = static_cast<double>(reach_of(kind, coordinate)) * cells + 0x1p-9;
-  const auto cell = [](double at) { return static_cast<std::int64_t>(std::floor(at)); };
+  const auto cell = [](double at) { return static_cast<std::int64_t>(at); };  // none is negative
   return {cell(size), cell(size - reach), cell(size + reach)};
 }
 

@@ -145,7 +145,7 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
   const Real weight = reduced.squares[0].weight;
   Vector3 centre{};
   for (const SquareTerm& term : reduced.squares) {
-    centre = sum(centre, scaled({term.form[0], term.form[1], term.form[2]}, -term.form[3]));
+    for (std::size_t i = 0; i < 3; ++i) add_product(centre[i], term.form[i], -term.form[3]);
   }
   const RoundedSphere sphere(centre, -reduced.constant() / weight, box.target);
   const auto bits = with_least_bits(

@@ -25,7 +25,7 @@ Real denominator_of(Real v, Real limit, Real tolerance) {
     if (rest <= current * tolerated) return Real(current);
     const Bits128 quotient = whole / rest;
     if (quotient > most) return 0;
-    whole = std::exchange(rest, whole % rest);
+    whole = std::exchange(rest, whole - quotient * rest);
     before = std::exchange(current, static_cast<std::uint64_t>(quotient) * current + before);
   }
   return 0;

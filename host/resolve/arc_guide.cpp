@@ -7,6 +7,7 @@
 
 #include "host/resolve/critical_marks.hpp"
 #include "host/resolve/quartic.hpp"
+#include "host/resolve/segment_sign.hpp"
 #include "host/resolve/separator.hpp"
 #include "host/resolve/sheet_form.hpp"
 
@@ -23,7 +24,9 @@ struct ProvedWindow {
 class Windows {
  public:
   Windows(const FormOnSheet& form, int rank, KnownLines& lines, QuarticTable& table)
-      : form_(form), rank_(rank), lines_(lines), table_(table) {}
+      : form_(form), rank_(rank), lines_(lines), table_(table), n_(form.has_limb() ? form.value().n : form.part) {
+    if (form.has_limb()) d_.emplace(as_quartic(form.sheets->d));
+  }
 
   // On the lines y0 .. y1 of a row of the form.
   void add_row(bool singular, std::int64_t y0, std::int64_t y1) {
@@ -44,15 +47,27 @@ class Windows {
  private:
   struct Line {
     const std::vector<Obstacle>& obstacles;
+    const ValueOnLine& value;
     std::size_t root;
+  };
+  // A form that separators are tested by.
+  struct Tested {
+    QuarticForm exact;
+    SegmentSign near;
+    explicit Tested(QuarticForm p) : exact(std::move(p)), near(exact) {}
   };
 
   Line line(std::int64_t y) {
-    const auto [at, is_new] = lines_.try_emplace(y);
-    if (is_new) at->second = obstacles_on_line(form_, y, table_);
+    auto at = lines_.find(y);
+    if (at == lines_.end()) {
+      ValueOnLine value(*form_.sheets, form_.value(), static_cast<long>(y));
+      std::vector<Obstacle> obstacles = obstacles_on_line(form_, y, value, table_);
+      at = lines_.emplace(y, KnownLine{std::move(value), std::move(obstacles)}).first;
+    }
+    const KnownLine& known = at->second;
     std::size_t root = 0;
-    while (at->second[root].rank != rank_) ++root;
-    return {at->second, root};
+    while (known.obstacles[root].rank != rank_) ++root;
+    return {known.obstacles, known.value, root};
   }
 
   // The dots beside the root: no dot between them but one that is the root.
@@ -70,7 +85,7 @@ class Windows {
     const LineRoot beside =
         at.root == 0 ? rational_root(floor_of(x) - 1, 1) : rational_between(at.obstacles[at.root - 1].x, x);
     if (!form_.has_limb()) return sign_at(restricted(form_.part, static_cast<long>(y)), beside) < 0;
-    return ValueOnLine(*form_.sheets, form_.value(), static_cast<long>(y)).sign(form_.sheet, beside) < 0;
+    return at.value.sign(form_.sheet, beside) < 0;
   }
 
   // Beyond the limb that is counted as missing nothing is asked; at the other side's limb a separator comes first.
@@ -115,30 +130,37 @@ class Windows {
     return side < 0 ? root - steps : root + steps;
   }
 
+  // The form's sign all along the separator; 0 where it may vanish.
+  static int sign_along(const Separator& separator, std::int64_t y0, std::int64_t length, const Tested& form) {
+    constexpr double unit = separator_unit;
+    const int certain =
+        form.near.along(static_cast<double>(separator.at) / unit, static_cast<double>(separator.step) / unit,
+                        static_cast<double>(y0), static_cast<double>(length));
+    if (certain != 0) return certain;
+    const Polynomial p = along(from_line(form.exact, static_cast<long>(y0)), static_cast<long>(separator.at),
+                               static_cast<long>(separator.step), separator_unit);
+    return surely_without_zero(p, 0, static_cast<long>(length)) ? sgn(p[0]) : 0;
+  }
+
   // Neither d nor the form vanishes along the separator. Where d < 0 from the start there is no form.
   [[nodiscard]] bool is_clear(const Separator& separator, std::int64_t y0, std::int64_t y1) const {
-    const mpz_class length = static_cast<long>(y1 - y0);
-    const auto on_separator = [&](const QuarticForm& p) {
-      return along(p, static_cast<long>(separator.at), static_cast<long>(separator.step), separator_unit,
-                   static_cast<long>(y0));
-    };
-    const auto keeps_sign = [&](const Polynomial& p) { return surely_without_zero(p, 0, length); };
-    if (!form_.has_limb()) return keeps_sign(on_separator(form_.part));
-    const Polynomial d = on_separator(as_quartic(form_.sheets->d));
-    if (!keeps_sign(d)) return false;
-    if (sgn(d[0]) < 0) return true;
+    const auto sign = [&](const Tested& form) { return sign_along(separator, y0, y1 - y0, form); };
+    if (!form_.has_limb()) return sign(n_) != 0;
+    const int d = sign(*d_);
+    if (d <= 0) return d < 0;
+    if (sign(n_) != 0) return true;
     const Constraint& k = form_.value();
-    if (keeps_sign(on_separator(k.n))) return true;
-    const Polynomial p = on_separator(as_quartic(k.p));
-    const Polynomial r = on_separator(as_quartic(k.r));
     const int t = form_.sheet == Sheet::front ? -1 : 1;
-    return keeps_sign(p) && keeps_sign(r) && sgn(p[0]) == t * sgn(r[0]);
+    const int p = sign(Tested(as_quartic(k.p)));
+    return p != 0 && p == t * sign(Tested(as_quartic(k.r)));
   }
 
   const FormOnSheet& form_;
   int rank_;
   KnownLines& lines_;
   QuarticTable& table_;
+  Tested n_;  // the form, or on two sheets P^2 - R^2 d
+  std::optional<Tested> d_;
   std::vector<ProvedWindow> windows_;
 };
 

@@ -26,8 +26,12 @@ struct GuidedRun {
   Guide guide;
 };
 
-// The obstacles of lines that were looked at.
-using KnownLines = std::map<std::int64_t, std::vector<Obstacle>>;
+// Lines that were looked at.
+struct KnownLine {
+  ValueOnLine value;
+  std::vector<Obstacle> obstacles;
+};
+using KnownLines = std::map<std::int64_t, KnownLine>;
 
 // The roots of one constraint of degree three or four on one sheet.
 class ArcGuide {

@@ -45,11 +45,13 @@ std::vector<LineRoot> roots_of_second_order(const Polynomial& f) {
 }
 
 std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
-  const int count = count_of_real_roots(f);
-  if (count == 0) return {};
-  if (count < 0) return isolated_roots(f);
   const std::vector<Interval> found = certain_sign_changes(f);
-  if (static_cast<int>(found.size()) != count) return isolated_roots(f);
+  const auto certain = static_cast<int>(found.size());
+  if (certain != degree(f)) {
+    const int count = count_of_real_roots(f);
+    if (count == 0) return {};
+    if (certain != count) return isolated_roots(f);
+  }
   const auto shared = std::make_shared<const Polynomial>(f);
   std::vector<LineRoot> roots;
   roots.reserve(found.size());
@@ -104,7 +106,15 @@ mpz_class first_integer(RefinedRoot& root) {
 
 Polynomial restricted(const Curve& p, const mpz_class& y) {
   const auto& q = p.q;
-  return {(q[2] * y + q[4]) * y + q[5], q[1] * y + q[3], q[0]};
+  Polynomial f(3);
+  f[0] = q[4];
+  add_product(f[0], q[2], y);
+  f[0] *= y;
+  f[0] += q[5];
+  f[1] = q[3];
+  add_product(f[1], q[1], y);
+  f[2] = q[0];
+  return f;
 }
 
 std::vector<LineRoot> real_roots(const Polynomial& f) {

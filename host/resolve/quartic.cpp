@@ -66,15 +66,6 @@ class PlanePolynomial {
   fmpz_mpoly_t p_;
 };
 
-std::size_t degree_of(const QuarticForm& p) {
-  for (std::size_t n = 4; n > 0; --n) {
-    for (std::size_t j = 0; j <= n; ++j) {
-      if (sgn(p.q[quartic_index(n - j, j)]) != 0) return n;
-    }
-  }
-  return 0;
-}
-
 Curve as_curve(const QuarticForm& p) {
   const auto& q = p.q;
   return {{q[quartic_index(2, 0)], q[quartic_index(1, 1)], q[quartic_index(0, 2)], q[quartic_index(1, 0)],
@@ -148,6 +139,15 @@ bool is_zero(const QuarticForm& p) {
   return std::all_of(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) == 0; });
 }
 
+std::size_t degree_of(const QuarticForm& p) {
+  for (std::size_t n = 4; n > 0; --n) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      if (sgn(p.q[quartic_index(n - j, j)]) != 0) return n;
+    }
+  }
+  return 0;
+}
+
 Polynomial restricted(const QuarticForm& p, const mpz_class& y) {
   Polynomial f(5);
   for (std::size_t i = 0; i <= 4; ++i) {
@@ -159,8 +159,16 @@ Polynomial restricted(const QuarticForm& p, const mpz_class& y) {
   return f;
 }
 
-Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step, const mpz_class& denominator,
-                 const mpz_class& start) {
+QuarticForm from_line(QuarticForm p, const mpz_class& start) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k + i < 4; ++k) {
+      for (std::size_t j = 4 - i; j-- > k;) add_product(p.q[quartic_index(i, j)], p.q[quartic_index(i, j + 1)], start);
+    }
+  }
+  return p;
+}
+
+Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step, const mpz_class& denominator) {
   const std::size_t order = degree_of(p);
   Polynomial sum(order + 1);
   mpz_class scale = 1;
@@ -171,16 +179,7 @@ Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& ste
       add_product(sum[k], sum[k - 1], step);
     }
     sum[0] *= at;
-    std::array<mpz_class, 5> c;  // of x^i, in powers of t
-    for (std::size_t j = rest + 1; j-- > 0;) {
-      for (std::size_t k = rest - j; k > 0; --k) {
-        c[k] *= start;
-        c[k] += c[k - 1];
-      }
-      c[0] *= start;
-      c[0] += p.q[quartic_index(i, j)];
-    }
-    for (std::size_t j = 0; j <= rest; ++j) add_product(sum[j], scale, c[j]);
+    for (std::size_t j = 0; j <= rest; ++j) add_product(sum[j], scale, p.q[quartic_index(i, j)]);
     scale *= denominator;
   }
   return sum;

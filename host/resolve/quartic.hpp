@@ -26,6 +26,7 @@ static_assert(quartic_index(4, 0) == 0 && quartic_index(0, 4) == 4 && quartic_in
 [[nodiscard]] QuarticForm operator*(const mpz_class& factor, QuarticForm p);
 
 [[nodiscard]] bool is_zero(const QuarticForm& p);
+[[nodiscard]] std::size_t degree_of(const QuarticForm& p);  // 0 for zero
 
 // Divides by the content and makes the first coefficient that is not 0 positive.
 void make_canonical(QuarticForm& p);
@@ -33,9 +34,12 @@ void make_canonical(QuarticForm& p);
 // On the scan line y, in powers of x.
 [[nodiscard]] Polynomial restricted(const QuarticForm& p, const mpz_class& y);
 
-// denominator^n p(x, y), n its degree, on the line x = (at + step t) / denominator, y = start + t, in powers of t.
+// p(x, start + y).
+[[nodiscard]] QuarticForm from_line(QuarticForm p, const mpz_class& start);
+
+// denominator^n p(x, t), n its degree, on the line x = (at + step t) / denominator, in powers of t.
 [[nodiscard]] Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step,
-                               const mpz_class& denominator, const mpz_class& start);
+                               const mpz_class& denominator);
 
 // Factors irreducible over the rationals, each once, canonical.
 struct PlaneFactors {

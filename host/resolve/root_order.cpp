@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "host/resolve/sheet_form.hpp"
-
 namespace halfspace {
 namespace {
 
@@ -16,9 +14,9 @@ void append_limb(const Curve& d, const mpz_class& y, std::vector<Obstacle>& foun
 
 }  // namespace
 
-std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t line, QuarticTable& table) {
+std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t line, const ValueOnLine& value,
+                                        QuarticTable& table) {
   const mpz_class y = static_cast<long>(line);
-  const ValueOnLine value(*form.sheets, form.value(), y);
   std::vector<Obstacle> found;
   int rank = 0;
   for (const LineRoot& x : table.roots(form.part, line)) {

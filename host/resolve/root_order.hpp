@@ -6,6 +6,7 @@
 
 #include "host/resolve/line_root.hpp"
 #include "host/resolve/sheet.hpp"
+#include "host/resolve/sheet_form.hpp"
 
 namespace halfspace {
 
@@ -27,7 +28,8 @@ struct FormOnSheet {
   [[nodiscard]] bool has_limb() const { return sheets->shape == SheetShape::two_sheets; }
 };
 
-// Ascending; distinct on lines where nothing befalls the form. Of a rational sheet, the part's own roots alone.
-[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y, QuarticTable& table);
+// Ascending; distinct on lines where nothing befalls the form. Of a rational sheet, the part's own roots alone. `value` is the form's.
+[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y, const ValueOnLine& value,
+                                                      QuarticTable& table);
 
 }  // namespace halfspace
