@@ -56,12 +56,12 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
   t = at;
   s = dot.s;
   r = dot.r;
-  l = std::clamp(dot.l, -largest, largest);
+  l = std::clamp(dot.l >> 1, -largest / 2, largest / 2);
   n = short_root(std::max<std::int32_t>(dot.square, 1));
   root_error = dot.root_error;
   // | |a| - |b| | <= |a^2 - b^2| / |a|
   normal_error = (dot.square_error << 12) / std::max<std::int32_t>(n >> 16, 1) + 4;
-  error = dot.light_error + normal_error + bar_error + 2;
+  error = ((dot.light_error + normal_error + bar_error) >> 1) + 3;
 }
 
 // What taking the middle leaves out of F, where |ds| <= (s_a + s_b) / 5, |E| <= (s_a + s_b) / 32, and so for n and J:
@@ -94,12 +94,15 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
                                 (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{size(ds)} * 8);
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.forms().m;
-  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 30);
-  normal_bow_ = 2 * j;
+  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 31);
+  normal_bow_ = j;
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
                                     n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
   const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
-  error_ = std::max(a.error, b.error) + static_cast<std::int32_t>(light_left + normal_left + normal_error / 2 + 16);
+  error_ = std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9);
+  if (error_ > 1 << 26) return;
+  wide_error_ = static_cast<std::uint32_t>(error_ + error_ / 4 + 1);
+  least_ = std::max<std::uint32_t>(32 * static_cast<std::uint32_t>(error_), 1 << 16);
 }
 
 }  // namespace halfspace
