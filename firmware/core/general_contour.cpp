@@ -13,8 +13,8 @@
 namespace halfspace {
 namespace {
 
-constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
-constexpr std::int32_t first_chord = 8;  // dots
+constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
+constexpr std::int32_t first_chord = 24;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
@@ -75,8 +75,8 @@ class SpanTracer {
   void monotone(LevelDot a, const LevelDot& b, bool rising);
   [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                       const LevelPlace& place) const;
-  [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t t,
-                                                           std::int32_t width, const LevelPlace& place) const;
+  [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
+                                                           std::int32_t from) const;
 
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
@@ -162,22 +162,21 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   monotone(right.dot, b.dot, b.ridge.sign() > 0);
 }
 
-// How far from dot t, where it is not yet reached, the first dot beyond level k lies, at most `width`.
+// The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
+// than any width.
 inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                          const LevelPlace& place) const {
   const std::int32_t before = (place.at - place.error) >> 16;
   const std::int32_t last = (place.at + place.error) >> 16;
-  return before == last ? std::min(last + 1, width) : asked_boundary(k, rising, t, width, place);
+  const std::int32_t from = t + std::min(last + 1, width);
+  return before == last ? from : asked_boundary(k, rising, t + std::max<std::int32_t>(before, 0), from);
 }
 
-std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
-                                        const LevelPlace& place) const {
-  const bool is_known = place.error != LevelPlace::unknown;
-  std::int32_t before = is_known ? std::max<std::int32_t>(0, (place.at - place.error) >> 16) : 0;
-  std::int32_t from = is_known ? std::min(width, ((place.at + place.error) >> 16) + 1) : width;
+// The first dot beyond level k between `before`, which is not, and `from`, which is.
+std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
-    (reaches(level_dot(t + middle), k) == rising ? from : before) = middle;
+    (reaches(level_dot(middle), k) == rising ? from : before) = middle;
   }
   return from;
 }
@@ -207,6 +206,18 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       lead_a = lead_c;
       continue;
     }
+    if (width == 1) {  // all boundaries between them are one
+      const std::int32_t before = k;
+      do {
+        k += sign;
+        bar += bar_step;
+      } while (is_beyond(c, lead_c.of(bar)));
+      painter_.change(line_.middle() + c.t, k - sign - below);
+      if (k - before == sign) chord_ = 2;
+      a = c;
+      lead_a = lead_c;
+      continue;
+    }
     LevelChord chord(line_, a, c);
     if (!rising) chord.mirror();
     LevelPlace place = chord.place(bar, lead_a.of(bar), lead);
@@ -215,9 +226,9 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       continue;
     }
     chord_ = place.error < fine ? 2 * width : width;
-    const std::int32_t x = line_.middle() + a.t;
+    const std::int32_t middle = line_.middle();
     for (;;) {
-      painter_.change(x + boundary(k, rising, a.t, width, place), k - below);
+      painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
       k += sign;
       bar += bar_step;
       lead = lead_c.of(bar);
