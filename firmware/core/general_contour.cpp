@@ -13,8 +13,8 @@
 namespace halfspace {
 namespace {
 
-constexpr std::int32_t short_piece = 6;  // dots that are asked one by one, rather than cut further
-constexpr std::int32_t first_chord = 8;  // dots
+constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
+constexpr std::int32_t first_chord = 24;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
@@ -73,7 +73,8 @@ class SpanTracer {
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
   void monotone(LevelDot a, const LevelDot& b, bool rising);
-  [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const;
+  [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                      const LevelPlace& place) const;
   [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
                                                            std::int32_t from) const;
 
@@ -161,11 +162,17 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   monotone(right.dot, b.dot, b.ridge.sign() > 0);
 }
 
-// The first dot beyond level k between `before`, which is not, and `from`, which is.
-inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
-  return from - before == 1 ? from : asked_boundary(k, rising, before, from);
+// The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
+// than any width.
+inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                         const LevelPlace& place) const {
+  const std::int32_t before = (place.at - place.error) >> 16;
+  const std::int32_t last = (place.at + place.error) >> 16;
+  const std::int32_t from = t + std::min(last + 1, width);
+  return before == last ? from : asked_boundary(k, rising, t + std::max<std::int32_t>(before, 0), from);
 }
 
+// The first dot beyond level k between `before`, which is not, and `from`, which is.
 std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
@@ -174,46 +181,62 @@ std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_
   return from;
 }
 
-// From a to b, where levels only rise or fall.
+// From a to b, where levels only rise or fall. A lead is F where they rise, -F where they fall: it goes up.
 void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
+  const std::int32_t sign = rising ? 1 : -1;
+  const std::int32_t below = rising ? 0 : 1;  // of a boundary's level, what is painted beyond it
   const std::int32_t end = rising ? job_.table.top_level + 1 : job_.table.ambient_level;
-  const std::int32_t step = rising ? 1 : -1;
   const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
   std::uint32_t bar = bars_.at(k);
-  const auto is_beyond = [&](const LevelDot& dot, std::int32_t above) {
-    return k != end && reaches(dot, k, above) == rising;
+  const auto is_beyond = [&](const LevelDot& dot, std::int32_t lead) {
+    return k != end && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
-  while (is_beyond(b, b.above(bar))) {
+  const Lead lead_b = b.lead(sign);
+  Lead lead_a = a.lead(sign);
+  while (is_beyond(b, lead_b.of(bar))) {
     const std::int32_t rest = b.t - a.t;
     const std::int32_t width = rest <= chord_ + chord_ / 2 ? rest : chord_;
     const LevelDot c = width == rest ? b : level_dot(a.t + width);
-    std::int32_t above = c.above(bar);
-    if (!is_beyond(c, above)) {
+    const Lead lead_c = c.lead(sign);
+    std::int32_t lead = lead_c.of(bar);
+    if (!is_beyond(c, lead)) {
       chord_ = std::min(2 * width, longest_half);
       a = c;
+      lead_a = lead_c;
       continue;
     }
-    const LevelChord chord(line_, a, c);
-    LevelPlace place = chord.place(bar, a.above(bar), above);
+    if (width == 1) {  // all boundaries between them are one
+      const std::int32_t before = k;
+      do {
+        k += sign;
+        bar += bar_step;
+      } while (is_beyond(c, lead_c.of(bar)));
+      painter_.change(line_.middle() + c.t, k - sign - below);
+      if (k - before == sign) chord_ = 2;
+      a = c;
+      lead_a = lead_c;
+      continue;
+    }
+    LevelChord chord(line_, a, c);
+    if (!rising) chord.mirror();
+    LevelPlace place = chord.place(bar, lead_a.of(bar), lead);
     if (width > 2 && place.error > coarse) {
       chord_ = width / 2;
       continue;
     }
     chord_ = place.error < fine ? 2 * width : width;
+    const std::int32_t middle = line_.middle();
     for (;;) {
-      const std::int32_t from = place.error == LevelPlace::unknown
-                                    ? boundary(k, rising, a.t, c.t)
-                                    : boundary(k, rising, std::max(a.t, a.t + ((place.at - place.error) >> 16)),
-                                               std::min(c.t, a.t + ((place.at + place.error) >> 16) + 1));
-      painter_.change(line_.middle() + from, rising ? k : k - 1);
-      k += step;
+      painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
+      k += sign;
       bar += bar_step;
-      above = c.above(bar);
-      if (!is_beyond(c, above)) break;
-      place = chord.place(bar, a.above(bar), above);
+      lead = lead_c.of(bar);
+      if (!is_beyond(c, lead)) break;
+      place = chord.place(bar, lead_a.of(bar), lead);
     }
     a = c;
+    lead_a = lead_c;
   }
   job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
   level_ = rising ? k - 1 : k;
@@ -270,13 +293,13 @@ void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1
 }  // namespace
 
 // T_k goes as k unit - most ambient. The top one is a root of 30 bits, off by 3, and by what its square, cut to 32 bits, lacks;
-// a step is off by less than 1, and there are at most 2^8.
+// a step is off by less than 1 of 31 bits.
 LevelBars LevelBars::of(const LevelTable& table, const Lighting& lighting) {
   LevelBars bars{0, 0, table.top_level, 0};
   const std::uint64_t square = std::uint64_t{table.squares[static_cast<std::size_t>(table.top_level)]} << 28 | 1;
   const std::int32_t root = std::min<std::int32_t>(quick_root(square), (1 << 30) - 1);
-  bars.top = static_cast<std::uint32_t>(root) << 2;
-  bars.error = 68 + (1 << 28) / std::max<std::int32_t>(root, 1);
+  bars.top = static_cast<std::uint32_t>(root) << 1;
+  bars.error = 4 + (table.top_level - table.ambient_level + 1) / 2 + (1 << 28) / std::max<std::int32_t>(root, 1);
   const std::int64_t height =
       std::int64_t{table.top_level} * lighting.unit - std::int64_t{table.levels - 1} * lighting.ambient;
   if (table.top_level > table.ambient_level + 1) {

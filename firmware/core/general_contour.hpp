@@ -7,7 +7,7 @@
 
 namespace halfspace {
 
-// Bars of levels, T_k: they go up evenly. 32 bits of fraction.
+// Bars of levels, T_k: they go up evenly. 31 bits of fraction.
 struct LevelBars {
   std::uint32_t top = 0, step = 0;
   std::int32_t top_level = 0;

@@ -18,35 +18,37 @@ std::uint64_t second_difference(std::int64_t v2, std::int32_t h) {
   return static_cast<std::uint64_t>(v2) * static_cast<std::uint64_t>(std::int64_t{h} * h);
 }
 
+// v <= sum / times, and sum >= shortest.
+bool dwarfs(std::uint32_t sum, std::uint32_t v, std::uint32_t times) { return sum >= shortest && v <= sum / times; }
+
 // Division by a sum of two sizes, shortest <= sum < 2^31.
 class Divisor {
  public:
   explicit Divisor(std::uint32_t sum)
-      : sum_(std::max<std::uint32_t>(sum, 1)), zeros_(std::countl_zero(sum_)), inverse_(~0U / (sum_ << zeros_ >> 16)) {}
+      : sum_(sum), zeros_(std::countl_zero(sum)), inverse_(static_cast<std::int32_t>(~0U / (sum << zeros_ >> 16))) {}
 
   // Whether |v| is at most 1/32 of the sum's square, so that the quotient fits.
   [[nodiscard]] bool divides(std::int64_t v) const {
     const auto upper = static_cast<std::int32_t>(v >> 32);
     return size(upper) < high_product(sum_, sum_) >> 5;
   }
-  // v / sum, to 2^-14 of itself and 3.
+  // v / sum, to 2^-14 of itself and 3: by the upper half of v 2^zeros, which fits.
   [[nodiscard]] std::int32_t quotient(std::int64_t v) const {
-    return static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(v >> (32 - zeros_))} * inverse_ >> 16);
-  }
-  // v <= sum / times, and sum >= shortest.
-  [[nodiscard]] bool dwarfs(std::uint32_t v, std::uint32_t times) const {
-    return sum_ >= shortest && v <= sum_ / times;
+    const auto bits = static_cast<std::uint64_t>(v);
+    const auto upper = static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 32) << zeros_ |
+                                                 static_cast<std::uint32_t>(bits) >> (32 - zeros_));
+    return static_cast<std::int32_t>(std::int64_t{upper} * inverse_ >> 16);
   }
   // a b / 8 sum, b < sum / 2.
   [[nodiscard]] std::uint32_t eighth_part(std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t part = (b << zeros_ >> 16) * inverse_ >> 16;  // b / sum 2^16
+    const std::uint32_t part = (b << zeros_ >> 16) * static_cast<std::uint32_t>(inverse_) >> 16;  // b / sum 2^16
     return static_cast<std::uint32_t>(std::uint64_t{a} * part >> 19);
   }
 
  private:
   std::uint32_t sum_;
-  int zeros_;
-  std::uint32_t inverse_;
+  int zeros_;             // 1 .. 9
+  std::int32_t inverse_;  // 2^48 / sum 2^zeros
 };
 
 }  // namespace
@@ -56,28 +58,30 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
   t = at;
   s = dot.s;
   r = dot.r;
-  l = std::clamp(dot.l, -largest, largest);
+  l = std::clamp(dot.l >> 1, -largest / 2, largest / 2);
   n = short_root(std::max<std::int32_t>(dot.square, 1));
   root_error = dot.root_error;
   // | |a| - |b| | <= |a^2 - b^2| / |a|
   normal_error = (dot.square_error << 12) / std::max<std::int32_t>(n >> 16, 1) + 4;
-  error = dot.light_error + normal_error + bar_error + 2;
+  error = ((dot.light_error + normal_error + bar_error) >> 1) + 3;
 }
 
 // What taking the middle leaves out of F, where |ds| <= (s_a + s_b) / 5, |E| <= (s_a + s_b) / 32, and so for n and J:
 //   of u (1-u) E     |E| (|ds| + |E|) / 8 (s_a + s_b), as E's denominator is s_a + s_b + (2u-1) ds + u (1-u) E and
 //                    u (1-u) |2u-1| < 0.0963; the roots' errors, and the quotient's, are a quarter of 1.1 root_error + 7 + 2^-13 |E|
-//   of u (1-u) J     r times that; r's change, |dr| |E| / 16; r's errors of 16 units and the roots' in dr ds
+//   of u (1-u) J     r times that; r's change, |dr| |E| / 16; r's errors of 16 units in dr ds and r E, and the roots' in dr ds
 //   of u (1-u) J/2A  that over 2A >= 4/5 (n_a + n_b); |J/2A| (|dn| + 2 |J/2A|) / 8 (n_a + n_b), the last from the root's series;
 //                    a quarter of what dn^2 errs by, 2 (|dn| + normal_error) 2 normal_error
 LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : width_(b.t - a.t) {
   const std::int32_t ds = b.s - a.s;
   const std::int32_t dn = b.n - a.n;
-  const Divisor s(static_cast<std::uint32_t>(a.s) + static_cast<std::uint32_t>(b.s));
-  const Divisor n(static_cast<std::uint32_t>(a.n) + static_cast<std::uint32_t>(b.n));
+  const std::uint32_t s_sum = static_cast<std::uint32_t>(a.s) + static_cast<std::uint32_t>(b.s);
+  const std::uint32_t n_sum = static_cast<std::uint32_t>(a.n) + static_cast<std::uint32_t>(b.n);
   const auto root_error = static_cast<std::uint32_t>(std::max(a.root_error, b.root_error));
   const auto normal_error = static_cast<std::uint32_t>(std::max(a.normal_error, b.normal_error));
-  if (!s.dwarfs(size(ds), 5) || !n.dwarfs(size(dn), 5) || !n.dwarfs(normal_error, 1 << 10)) return;
+  if (!dwarfs(s_sum, size(ds), 5) || !dwarfs(n_sum, size(dn), 5) || !dwarfs(n_sum, normal_error, 1 << 10)) return;
+  const Divisor s(s_sum);
+  const Divisor n(n_sum);
   const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_));
   if (!s.divides(bend)) return;
   const std::int32_t e = s.quotient(bend);
@@ -88,18 +92,23 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
 
-  const std::uint32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
+  const std::uint32_t change = size(ds) + size(e);
+  const std::uint32_t e_left = s.eighth_part(size(e), change) + (size(e) >> 15) + root_error / 2 + 4;
   const auto bulge_left =
       static_cast<std::int64_t>(std::uint64_t{size(dr)} * (size(e) / 16 + root_error / 2 + 1) +
-                                (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{size(ds)} * 8);
+                                (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{change} * 8);
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.forms().m;
-  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 30);
-  normal_bow_ = 2 * j;
+  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 31);
+  normal_bow_ = j;
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
                                     n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
   const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
-  error_ = std::max(a.error, b.error) + static_cast<std::int32_t>(light_left + normal_left + normal_error / 2 + 16);
+  error_ =
+      std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9);
+  if (error_ > 1 << 26) return;
+  wide_error_ = static_cast<std::uint32_t>(error_ + error_ / 4 + 1);
+  least_ = std::max<std::uint32_t>(32 * static_cast<std::uint32_t>(error_), 1 << 16);
 }
 
 }  // namespace halfspace

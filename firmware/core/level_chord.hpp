@@ -18,20 +18,26 @@
 
 namespace halfspace {
 
+// How far from 0 F is, or -F, at a dot: F / 2, as a bar has 31 bits of fraction.
+struct Lead {
+  std::int32_t l, n;
+  [[nodiscard]] std::int32_t of(std::uint32_t bar) const { return l - high_product(static_cast<std::int32_t>(bar), n); }
+};
+
 // A dot as levels see it. |L|, n <= 2^30.
 struct LevelDot {
   std::int32_t t, s, r;
-  std::int32_t l, n;
+  std::int32_t l, n;                      // L / 2, |N|
   std::int32_t root_error, normal_error;  // of s and n
-  std::int32_t error;                     // of F
+  std::int32_t error;                     // of F / 2
 
   LevelDot() = default;
   // `bar_error` of T in 2^-30.
   LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error);
-  // F; the bar has 32 bits of fraction.
-  [[nodiscard]] std::int32_t above(std::uint32_t bar) const {
-    return l - static_cast<std::int32_t>(high_product(bar, static_cast<std::uint32_t>(n)));
-  }
+  // F / 2.
+  [[nodiscard]] std::int32_t above(std::uint32_t bar) const { return Lead{l, n}.of(bar); }
+  // By `sign` -1, of -F.
+  [[nodiscard]] Lead lead(std::int32_t sign) const { return {sign * l, sign * n}; }
 };
 
 // In dots right of the chord's left end, 16 bits of fraction; `error` is LevelPlace::unknown where nothing is known.
@@ -53,46 +59,49 @@ class LevelChord {
                error_ + 1 + std::max<std::int64_t>(inward, 0);
   }
 
-  // Where F is 0, given its values at the ends, of different signs but for their errors.
+  // From here on the chord is that of -F.
+  void mirror() {
+    bow_ = -bow_;
+    normal_bow_ = -normal_bow_;
+  }
+  // Where F is 0 on its way up, given its values at the ends: below 0 at the left one and above it at the right one, but for their errors.
   //   The smaller root of the quadratic is u = 2 u0 / (1 - kappa + q), q^2 = (1 - kappa)^2 + 4 kappa u0, and F's slope there q times
   //   that of its chord. Where F is off by P, with e = P / |F_a - F_b| q <= 1/32 the root is off by less than 5/4 e: so far from it
   //   the quadratic is worth 5/4 P (1 - 5/4 |kappa| e / q) at least, and |kappa| <= 1/2 <= q.
   [[nodiscard, gnu::always_inline]] LevelPlace place(std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
-    const bool falls = at_a > at_b;
-    const auto from = static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? at_a : -at_a, 0));
-    const std::uint32_t all = from + static_cast<std::uint32_t>(std::max<std::int32_t>(falls ? -at_b : at_b, 0));
-    const auto most = static_cast<std::int32_t>((all >> 1) - (all >> 6));
-    const std::int32_t b = bow(bar);
-    if (all < least || b > most || -b > most || error_ > static_cast<std::int32_t>(all >> 5)) {
-      return {0, LevelPlace::unknown};
-    }
+    const auto from = static_cast<std::uint32_t>(std::max<std::int32_t>(-at_a, 0));
+    const std::uint32_t all = from + static_cast<std::uint32_t>(std::max<std::int32_t>(at_b, 0));
+    const std::uint32_t most = (all >> 1) - (all >> 6);
+    const std::int32_t b = -bow(bar);
+    if (all < least_ || static_cast<std::uint32_t>(b) + most > 2 * most) return {0, LevelPlace::unknown};
     const int shift = 16 - std::countl_zero(all);
     const auto inverse = static_cast<std::int32_t>(0x7fffffffU / (all >> shift));  // 2^31 / the leading 16 bits
     const std::uint32_t u0 = (from >> shift) * static_cast<std::uint32_t>(inverse) >> 15;
-    const std::int32_t kappa = ((falls ? b : -b) >> shift) * inverse >> 16;
+    const std::int32_t kappa = (b >> shift) * inverse >> 16;
     const auto rest = static_cast<std::uint32_t>((1 << 15) - kappa);
     const std::uint32_t square = rest * rest + static_cast<std::uint32_t>(kappa) * u0 * 2;  // 2^28 at least
     const std::uint32_t guess = first_roots[square >> 24];
     const std::uint32_t q = (guess + square / guess) >> 1;
     const auto u = static_cast<std::int32_t>((u0 << 15) / ((rest + q) >> 1));
-    const std::uint32_t e = static_cast<std::uint32_t>((error_ >> shift) * inverse >> 15) + 4;
-    const auto left = static_cast<std::int32_t>((e * 5 << 13) / q) + rounding;
+    const auto left =
+        static_cast<std::int32_t>((wide_error_ >> shift) * static_cast<std::uint32_t>(inverse) / q) + rounding;
     return {width_ * u, left > 1 << 11 ? LevelPlace::unknown : width_ * left};
   }
 
  private:
   [[nodiscard]] std::int32_t bow(std::uint32_t bar) const {
-    return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar >> 1));
+    return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar));
   }
 
-  static constexpr std::uint32_t least = 1 << 17;
-  // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 3 of kappa, 8 of q and its sum, 1 of the quotient, 4 of e's.
-  static constexpr std::int32_t rounding = 28;
+  // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 3 of kappa, 8 of q and its sum, 1 of the quotient, 14 of e's.
+  static constexpr std::int32_t rounding = 38;
 
   std::int32_t width_;                        // h
-  std::int32_t bow_ = 0;                      // m E
+  std::int32_t bow_ = 0;                      // m E / 2
   std::int32_t normal_bow_ = 0;               // J / A
-  std::int32_t error_ = LevelPlace::unknown;  // of F on the whole chord
+  std::int32_t error_ = LevelPlace::unknown;  // of F / 2 on the whole chord
+  std::uint32_t wide_error_ = 0;              // 5/4 of it
+  std::uint32_t least_ = ~0U;                 // |F_a - F_b| that makes e small enough, and rounding too
 };
 
 }  // namespace halfspace

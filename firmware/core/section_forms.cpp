@@ -39,8 +39,8 @@ struct WideBlock {
 
 }  // namespace
 
-// As many lines as a sixteenth of the span has dots, and a quarter of it on either side; what the last block had beside, too, where this
-// line crosses it: a face may be seen in several spans.
+// As many lines as an eighth of the span has dots, at most 32, and a quarter of it on either side; what the last block had beside, too,
+// where this line crosses it: a face may be seen in several spans.
 void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to) {
   const std::int32_t width = to - from + 1;
   const std::int32_t spare = std::min(width / 4 + 2, (2 * longest_half - width) / 2);
@@ -50,7 +50,7 @@ void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from,
     left = std::max(std::min(x0, left), to - 2 * longest_half + 1);
     right = std::min(std::max(x1, right), left + 2 * longest_half - 1);
   }
-  const std::int32_t lines = std::clamp<std::int32_t>(width / 32, 4, 16);
+  const std::int32_t lines = std::clamp<std::int32_t>(width / 16, 4, 16);
   x0 = left;
   x1 = right;
   y0 = y;

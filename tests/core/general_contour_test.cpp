@@ -301,7 +301,7 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
         for (std::int32_t k = job.table.ambient_level + 1; k <= job.table.top_level; ++k) {
           const std::uint64_t square = job.table.squares[static_cast<std::size_t>(k)];
           if (square < 1U << 20) continue;  // its root has too few bits here
-          const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2) * 2);
+          const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2));
           for (const int sign : {-1, 1}) {
             if (!chord.keeps_sign(sign, bar, a.above(bar), b.above(bar))) continue;
             ++kept;
@@ -311,7 +311,10 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
             }
           }
           if ((row[static_cast<std::size_t>(from)] >= k) == (row[static_cast<std::size_t>(to)] >= k)) continue;
-          const LevelPlace place = chord.place(bar, a.above(bar), b.above(bar));
+          const std::int32_t sign = row[static_cast<std::size_t>(to)] >= k ? 1 : -1;
+          LevelChord up = chord;
+          if (sign < 0) up.mirror();
+          const LevelPlace place = up.place(bar, sign * a.above(bar), sign * b.above(bar));
           if (place.error == LevelPlace::unknown) continue;
           ++places;
           if (place.error < 1 << 13) ++close;
