@@ -242,7 +242,7 @@ void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b
     b = std::max<std::int32_t>(b, k.x1);
   }
   const std::int32_t margin = (b - a) / 4;
-  const std::int32_t rows = std::clamp(margin, strip_rows, most_rows);
+  const std::int32_t rows = std::clamp(margin, 3 * strip_rows, most_rows);
   k.x0 = static_cast<std::int16_t>(std::max<std::int32_t>(a - margin - 4, 0));
   k.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(b + margin + 4, largest_dot));
   k.y0 = static_cast<std::int16_t>(y);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/active_list.hpp"
 #include "firmware/core/curtain.hpp"
 #include "firmware/core/depth_block.hpp"
 #include "firmware/core/exact.hpp"
@@ -18,17 +19,17 @@ struct ArcSlot {
   const ArcModule* module = nullptr;
   std::int16_t last = -1;  // scan line
   ArcCrossing crossing;    // stale while it rests
-  bool rests = false;      // only hidden cells ask for it: it stands where the strip began
+  bool rests = false;      // it stands where the strip began
 };
 
 struct CellSlot {
   std::uint16_t face = 0;
   std::uint16_t left = no_slot, right = no_slot;  // arcs; both no_slot with `fixed`: x0 and x1 stand
   std::int16_t last = -1;                         // scan line
-  std::int16_t x0 = 0, x1 = -1;                   // dots on the current line; hidden: all that it may have on the strip
+  std::int16_t x0 = 0, x1 = -1;  // dots on the current line; at rest: all that it may have on the strip
   bool fixed : 1 = false;
   bool rational : 1 = false;  // its face: some dots may have no depth
-  bool hidden : 1 = false;    // by the curtain, until the next strip
+  bool bounded : 1 = false;   // on a strip that begins: x0 and x1 are, and its face's block
 };
 
 // Carves pools out of the caller's memory, each aligned to 8 bytes. With no memory it only counts.
@@ -120,6 +121,8 @@ class Engine {
         result_(result),
         spans_(pools.spans, pools.faces, exact, result.counters),
         curtain_(pools.columns),
+        arcs_(pools.active_arcs),
+        cells_(pools.active_cells),
         painter_(header.page, pools.row, pools.patterns),
         levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
 
@@ -232,7 +235,7 @@ class Engine {
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
     module->load(in_, start, state(number));
     p_.arcs[number] = {module, last, {}};
-    p_.active_arcs[active_arc_count_++] = number;
+    arcs_.add(number);
   }
 
   void read_window(std::int32_t y) {
@@ -251,7 +254,7 @@ class Engine {
     cell.right = arc_or_none();
     cell.last = last_line(y);
     activate(number, cell, y);
-    for (const std::uint16_t arc : {cell.left, cell.right}) wake(arc, y);
+    for (const std::uint16_t arc : {cell.left, cell.right}) wake_arc(arc, y);
   }
 
   void read_span(std::int32_t y) {
@@ -271,70 +274,68 @@ class Engine {
     }
     p_.cells[number] = cell;
     p_.cells[number].rational = p_.faces[cell.face].kind == FaceKind::rational;
-    p_.active_cells[active_cell_count_++] = number;
+    cells_.add(number);
   }
 
   void* state(std::uint16_t arc) { return p_.arc_states.data() + arc * arc_bytes_; }
 
   // --- the sweep ---
 
-  // Steps the arcs to scan line y; arcs and cells whose last line has passed leave.
+  // Steps the arcs to scan line y; arcs and cells whose last line has passed leave. Where a strip begins all wake.
   void advance(std::int32_t y) {
-    std::size_t kept = 0;
-    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
-      const ArcSlot& arc = p_.arcs[number];
-      if (arc.last < y) continue;
-      if (!arc.rests) {
-        arc.module->step_down(state(number));
-      } else if (y - strip_ == strip_rows) {
-        wake(number, y);
-      }
-      p_.active_arcs[kept++] = number;
-    }
-    active_arc_count_ = kept;
-    kept = 0;
-    for (const std::uint16_t number : p_.active_cells.first(active_cell_count_)) {
-      if (p_.cells[number].last >= y) p_.active_cells[kept++] = number;
-    }
-    active_cell_count_ = kept;
+    if (y - strip_ == strip_rows) wake_all();
+    cells_.remove([&](std::uint16_t number) { return p_.cells[number].last < y; });
+    arcs_.remove([&](std::uint16_t number) { return p_.arcs[number].last < y; });
+    for (const std::uint16_t number : arcs_.awake()) p_.arcs[number].module->step_down(state(number));
   }
 
   // After the line's records: an arc may have entered on it, or come to its next window.
   void settle_arcs() {
-    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
+    for (const std::uint16_t number : arcs_.awake()) {
       ArcSlot& arc = p_.arcs[number];
-      if (!arc.rests) arc.crossing = arc.module->settle(state(number));
+      arc.crossing = arc.module->settle(state(number));
     }
   }
 
   // --- strips ---
 
-  void wake(std::uint16_t number, std::int32_t y) {
-    if (number == no_slot || !p_.arcs[number].rests || p_.arcs[number].last < y) return;
+  // Brings an arc that rests to line y of the strip.
+  void jump(std::uint16_t number, std::int32_t y) {
     p_.arcs[number].module->jump_down(state(number), y - strip_);
     p_.arcs[number].rests = false;
+  }
+
+  // To the strip's last line.
+  void wake_all() {
+    for (const std::uint16_t number : arcs_.resting()) jump(number, strip_ + strip_end);
+    arcs_.wake_all();
+    cells_.wake_all();
+  }
+
+  // Of a cell that has just entered.
+  void wake_arc(std::uint16_t number, std::int32_t y) {
+    if (number == no_slot || !p_.arcs[number].rests) return;
+    jump(number, y);
+    arcs_.wake(number);
   }
 
   // Where two cells in three and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip: those
   // that it hides rest, and arcs that no other cell asks for.
   void begin_strip(std::int32_t y) {
     strip_ = y;
-    const std::span<const std::uint16_t> active = p_.active_cells.first(active_cell_count_);
-    for (const std::uint16_t number : active) p_.cells[number].hidden = false;
-    if (static_cast<std::int32_t>(active_cell_count_) <= 3 * spans_.used()) return;
+    if (static_cast<std::int32_t>(cells_.size()) <= 3 * spans_.used()) return;
     curtain_.open();
-    for (const std::uint16_t number : active) p_.cells[number].hidden = covers_strip(p_.cells[number], y);
-    for (const std::uint16_t number : p_.active_arcs.first(active_arc_count_)) {
-      p_.arcs[number].rests = p_.arcs[number].module->jump_down != nullptr;
-    }
-    for (const std::uint16_t number : active) {
-      CellSlot& cell = p_.cells[number];
-      if (cell.hidden) cell.hidden = curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low);
-      if (cell.hidden) continue;
+    for (const std::uint16_t number : cells_.awake()) p_.cells[number].bounded = covers_strip(p_.cells[number], y);
+    for (const std::uint16_t number : arcs_.awake()) p_.arcs[number].rests = lasts_strip(number, y);
+    cells_.rest([&](std::uint16_t number) {
+      const CellSlot& cell = p_.cells[number];
+      if (cell.bounded && curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low)) return true;
       for (const std::uint16_t arc : {cell.left, cell.right}) {
         if (arc != no_slot) p_.arcs[arc].rests = false;
       }
-    }
+      return false;
+    });
+    arcs_.rest([&](std::uint16_t number) { return p_.arcs[number].rests; });
   }
 
   // Hangs a cell's part of the curtain and finds the dots between which it stays. False: it does not last, or may be anywhere in depth.
@@ -373,19 +374,28 @@ class Engine {
     while (cell.x0 <= cell.x1 && is_absent(face, cell.x1, y)) --cell.x1;
   }
 
-  // Places every active cell and keeps the list in ascending order of first dots: nearly sorted from the line
-  // before.
+  // Places every cell awake and sorts the list in ascending order of first dots: nearly in order from the line before, but where a strip
+  // begins [Shell 1959].
   void sort_cells(std::int32_t y) {
-    std::uint16_t* list = p_.active_cells.data();
-    CellSlot* cells = p_.cells.data();
-    for (std::size_t i = 0; i < active_cell_count_; ++i) {
+    const std::span<std::uint16_t> list = cells_.awake();
+    for (const std::uint16_t number : list) place(p_.cells[number], y);
+    if (y == strip_) {
+      for (const std::size_t gap : {132U, 57U, 23U, 10U, 4U}) sort_cells(list, gap);
+    }
+    sort_cells(list, 1);
+  }
+
+  void sort_cells(std::span<std::uint16_t> list, std::size_t gap) {
+    const CellSlot* const cells = p_.cells.data();
+    for (std::size_t i = gap; i < list.size(); ++i) {
       const std::uint16_t number = list[i];
-      if (!cells[number].hidden) place(cells[number], y);
       const std::int16_t x0 = cells[number].x0;
       std::size_t j = i;
-      for (; j > 0 && cells[list[j - 1]].x0 > x0; --j) list[j] = list[j - 1];
+      for (; j >= gap && cells[list[j - gap]].x0 > x0; j -= gap) {
+        list[j] = list[j - gap];
+        ++result_.counters.edge_swaps;
+      }
       list[j] = number;
-      result_.counters.edge_swaps += static_cast<std::uint32_t>(i - j);
     }
   }
 
@@ -393,9 +403,9 @@ class Engine {
     ++result_.counters.lines;
     sort_cells(y);
     spans_.clear(y);
-    for (std::size_t i = 0; i < active_cell_count_; ++i) {
-      const CellSlot& cell = p_.cells[p_.active_cells[i]];
-      if (cell.hidden || cell.x0 > cell.x1) continue;
+    for (const std::uint16_t number : cells_.awake()) {
+      const CellSlot& cell = p_.cells[number];
+      if (cell.x0 > cell.x1) continue;
       if (!spans_.insert(cell.face, cell.x0, cell.x1)) {
         result_.have = static_cast<std::int64_t>(p_.spans.size());
         result_.need = result_.have + 1;
@@ -468,11 +478,11 @@ class Engine {
   SpanList spans_;
   Curtain curtain_;
   std::int32_t strip_ = -strip_rows;  // the line where the current strip began
+  ActiveList arcs_, cells_;
   RowPainter painter_;
   LevelTable levels_;
   Record type_ = Record::end;
   std::int32_t enter_ = 0;
-  std::size_t active_arc_count_ = 0, active_cell_count_ = 0;
 };
 
 // The preferred band height, halved until the job fits.

@@ -2,17 +2,13 @@
 
 namespace halfspace {
 
-std::uint8_t JobReader::byte() {
-  if (next_ == end_) {
-    next_ = 0;
-    end_ = failed_ ? 0 : source_.read(buffer_);
-    if (end_ == 0 || end_ > buffer_.size()) {
-      failed_ = true;
-      end_ = 0;
-      return 0;
-    }
-  }
-  return buffer_[next_++];
+bool JobReader::refill() {
+  next_ = 0;
+  end_ = failed_ ? 0 : source_.read(buffer_);
+  if (end_ != 0 && end_ <= buffer_.size()) return true;
+  failed_ = true;
+  end_ = 0;
+  return false;
 }
 
 std::uint64_t JobReader::varint(int max_bits) {

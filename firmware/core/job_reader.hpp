@@ -15,7 +15,10 @@ class JobReader {
  public:
   explicit JobReader(ByteSource& source) : source_(source) {}
 
-  std::uint8_t byte();
+  std::uint8_t byte() {
+    if (next_ == end_ && !refill()) return 0;
+    return buffer_[next_++];
+  }
   std::uint32_t unsigned_number();  // varint, at most 32 bits
   std::int64_t number();            // zigzag varint, at most 64 bits
   // number() where the value must lie in [low, high]; otherwise the job is malformed.
@@ -45,6 +48,7 @@ class JobReader {
   [[nodiscard]] bool failed() const { return failed_; }
 
  private:
+  bool refill();
   std::uint64_t varint(int max_bits);
 
   template <int Bits>

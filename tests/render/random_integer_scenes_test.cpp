@@ -1,7 +1,10 @@
 // Random integer scenes, dot for dot against the exact oracle. HALFSPACE_RANDOM_BODIES sets how many (seeds 1 ..).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/oracle/describe.hpp"
+#include "tests/oracle/dice.hpp"
 #include "tests/oracle/random_scenes.hpp"
 #include "tests/render/compare.hpp"
 #include "tests/render/draw_levels.hpp"
@@ -22,6 +25,61 @@ TEST(RandomIntegerScenes, AgreeWithTheOracle) {
   for (std::uint64_t seed = 1; seed <= count && !HasFailure(); ++seed) {
     check(seed, seed % 3 == 0 ? Shader::isqrt : seed % 3 == 1 ? Shader::jordan : Shader::contour);
   }
+}
+
+// Spheres of many layers that cross one another, some cut by a plane: most of them are hidden, by a strip's curtain too.
+IntegerScene pile_of_spheres(std::uint64_t seed) {
+  oracle::Dice dice(seed);
+  IntegerScene scene;
+  scene.width = 200;
+  scene.height = 90;
+  scene.levels = 17;
+  scene.scissor = {0, 0, scene.width - 1, scene.height - 1};
+  scene.lighting.normal_matrix[0][0] = scene.lighting.normal_matrix[1][1] = scene.lighting.normal_matrix[2][2] = 1;
+  scene.lighting.light = {-2, -3, -5};
+  scene.lighting.unit = 10;
+  scene.lighting.ambient = 2;
+  scene.lighting.parallel = 8;
+  const std::int64_t depth = dice.between(30, 1500);
+  for (int i = 0; i < 200; ++i) {
+    IntegerBody& body = scene.bodies.emplace_back();
+    body.origin = {dice.between(35, 165), dice.between(-10, 100), dice.between(-depth, depth)};
+    body.x1 = scene.width - 1;
+    body.y1 = scene.height - 1;
+    IntegerHalfSpace& ball = body.half_spaces.emplace_back();
+    ball.kind = HalfSpaceKind::quadric;
+    const std::int64_t a = dice.one_of({1, 1, 4, 16});
+    const std::int64_t r = dice.between(20, 40);
+    ball.c[0] = ball.c[1] = ball.c[2] = a;
+    for (std::size_t k = 6; k < 9; ++k) ball.c[k] = dice.between(-a, a);
+    ball.c[9] = -a * r * r;
+    if (!dice.chance(10)) continue;
+    IntegerHalfSpace& cut = body.half_spaces.emplace_back();
+    cut.kind = HalfSpaceKind::plane;
+    for (std::size_t k = 0; k < 3; ++k) cut.c[k] = dice.between(-3, 3);
+    cut.c[0] = dice.between(1, 3);
+    cut.c[3] = dice.between(-30, 10);
+  }
+  return scene;
+}
+
+TEST(RandomIntegerScenes, PilesOfSpheresAgreeWithTheOracle) {
+  std::int64_t inserts = 0;
+  std::int64_t lines = 0;  // of all spheres
+  for (std::uint64_t seed = 1; seed <= 24 && !HasFailure(); ++seed) {
+    const IntegerScene scene = pile_of_spheres(seed);
+    const testing::Drawn drawn = testing::draw_levels(scene, seed % 2 == 0 ? Shader::isqrt : Shader::contour);
+    ASSERT_EQ(drawn.refusal, "") << "seed " << seed;
+    EXPECT_EQ(testing::first_difference(scene, drawn.levels), "") << "seed " << seed;
+    inserts += drawn.result.counters.face_inserts;
+    for (const IntegerBody& body : scene.bodies) {
+      const mpz_class square = -body.half_spaces[0].c[9] / body.half_spaces[0].c[0];
+      const auto r = static_cast<std::int64_t>(mpz_class(sqrt(square)).get_si());
+      lines +=
+          std::min<std::int64_t>(scene.height - 1, body.origin[1] + r) - std::max<std::int64_t>(0, body.origin[1] - r);
+    }
+  }
+  EXPECT_LT(inserts, lines * 3 / 4) << "the curtain hides some";
 }
 
 // Scenes that once failed, each for its own reason (the log of this file's history tells); from 143876 on, cones by contours.
