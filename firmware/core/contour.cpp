@@ -11,27 +11,35 @@ ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) {
     return has_polynomial_normal(job.face, job.lighting) ? ContourKind::general : ContourKind::none;
   }
-  if (has_sphere_contours(job)) return ContourKind::sphere;
+  return has_constant_normal(job.face.surface) ? ContourKind::sphere : ContourKind::curved;
+}
+
+ContourKind straight_or_general(const ShadeJob& job) {
   if (has_wide_coefficients(job.face)) return ContourKind::none;
   if (!has_straight_contours(job.face)) return ContourKind::general;
   if (job.contours->block.empty()) ++job.counters.crowded_faces;
   return ContourKind::straight;
 }
 
-// Instructions of a Cortex-M3 or tenths of a nanosecond of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r
-// levels met from dot to dot takes
-//   dot n + run min(r, n)   dot by dot,   span + step r   more than that one's own set-up by general contours
-struct Costs {
-  std::uint32_t dot, run, span, step;
+// Instructions of a Cortex-M3, or of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r levels met from
+// dot to dot takes so much more than its set-up dot by dot:
+//   dot n + run min(r, n)   dot by dot,   span + step r   by contours
+struct Way {
+  std::int64_t span, step;
 };
-constexpr Costs costs = limb_bits == 32 ? Costs{330, 90, 2000, 200} : Costs{85, 70, 3000, 250};
+struct Costs {
+  std::int64_t dot, run;
+  Way general, sphere;
+};
+constexpr Costs costs =
+    limb_bits == 32 ? Costs{330, 90, {2000, 200}, {-10200, 80}} : Costs{85, 70, {1000, 260}, {-1000, 50}};
 
-// Whether general contours are cheaper. The last span tells r / n; before there is one, each level is met once.
-bool is_sparse(const ShadeJob& job, std::uint32_t dots) {
+// Whether contours are cheaper. The last span tells r / n, as far as each level is met twice; before there is one, it is met once.
+bool is_sparse(const ShadeJob& job, std::uint32_t dots, const Way& way) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
-  const std::uint32_t steps = face.dots == 0 ? levels : dots * face.steps / face.dots;
-  return costs.span + costs.step * steps < costs.dot * dots + costs.run * std::min(steps, dots);
+  const std::uint32_t steps = face.dots == 0 ? levels : std::min(dots * face.steps / face.dots, 2 * levels);
+  return way.span + way.step * steps < costs.dot * dots + costs.run * std::min(steps, dots);
 }
 
 // Of a face with straight contours.
@@ -42,29 +50,32 @@ bool has_corner(const ShadeJob& job, std::int32_t y, std::int32_t x) {
   return line == y || line == all_lines;
 }
 
-bool shade_by_general(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  if (shader != Shader::contour && !is_sparse(job, static_cast<std::uint32_t>(x1 - x0 + 1))) return false;
-  return !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
-}
-
 bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  switch (job.contours->kind) {
-    case ContourKind::none:
-      return false;
-    case ContourKind::sphere:
-      return sphere_contour(job, y, x0, x1) || shade_by_general(job, shader, y, x0, x1);
-    case ContourKind::straight:
-      return straight_contour(job, y, x0, x1) || shade_by_general(job, shader, y, x0, x1);
-    default:
-      return shade_by_general(job, shader, y, x0, x1);
+  FaceContours& face = *job.contours;
+  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
+  const auto pays = [&](const Way& way) { return shader == Shader::contour || is_sparse(job, dots, way); };
+  if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
+  if (face.kind == ContourKind::none) return false;
+  if (face.kind == ContourKind::sphere) {
+    if (!pays(costs.sphere)) return false;
+    if (face.sphere.fraction == 0 && !make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
+    if (face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1)) return true;
   }
+  if (face.kind == ContourKind::curved) {
+    if (!pays(costs.general) && !is_survey_due(job, dots)) {
+      face.straight.waited += dots;
+      return false;
+    }
+    face.kind = straight_or_general(job);
+  }
+  if (face.kind == ContourKind::none) return false;
+  if (face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) return true;
+  return pays(costs.general) && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
 }
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
-  if (job.contours->kind == ContourKind::unknown) job.contours->kind = kind_of(job);
   const bool done = shade_by(job, shader, y, x0, x1);
-  if (done) job.counters.contour_dots += dots;
+  if (done) job.counters.contour_dots += static_cast<std::uint32_t>(x1 - x0 + 1);
   return done;
 }
 

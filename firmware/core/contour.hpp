@@ -19,7 +19,8 @@
 
 namespace halfspace {
 
-enum class ContourKind : std::uint8_t { unknown, none, sphere, straight, general };
+// `curved`: straight or general, not told apart yet.
+enum class ContourKind : std::uint8_t { unknown, none, sphere, curved, straight, general };
 
 // For a line of the page.
 inline constexpr std::int32_t unknown_line = std::numeric_limits<std::int32_t>::min();
@@ -37,14 +38,19 @@ struct FaceContours {
   std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
 };
 
-// Whether the face is of the kind; sphere_contour's registers are made on the way.
-[[nodiscard]] bool has_sphere_contours(const ShadeJob& job);
+// Whether the face is of the kind; |N| is constant on some that are no good spheres.
+[[nodiscard]] bool has_constant_normal(const RootSurface& surface);
 [[nodiscard]] bool has_straight_contours(const ActiveFace& face);
 // Whether they take more than 80 bits: then neither the above nor the next can be told.
 [[nodiscard]] bool has_wide_coefficients(const ActiveFace& face);
 // The line on which D may be a square, as through the apex of a face with straight contours: its root has a corner there and |N| a zero.
 // Told from dot (x, y) of the face.
 [[nodiscard]] std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y);
+
+// Makes sphere_contour's registers.
+[[nodiscard]] bool make_sphere(const ShadeJob& job, SphereContours& out);
+// Whether straight_contour would make a survey.
+[[nodiscard]] bool is_survey_due(const ShadeJob& job, std::uint32_t dots);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);

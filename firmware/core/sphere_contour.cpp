@@ -24,12 +24,6 @@ bool all_zero(std::span<const Wide<128>> coefficients) {
   return std::all_of(coefficients.begin(), coefficients.end(), [](const Wide<128>& c) { return c.is_zero(); });
 }
 
-// |N| constant, but for what its own rounding hides, and D and the light exact.
-bool has_constant_normal(const RootSurface& s) {
-  return s.discriminant.exponent == 0 && s.light.exponent == 0 && all_zero(std::span(s.square.q).first<5>()) &&
-         all_zero(s.square_root.q) && s.discriminant.q[0].negative();
-}
-
 // The chord of line y: D = -d0 (rho^2 - (x - centre)^2), and 4 d0^2 rho^2 = e2 y^2 + e1 y + e0.
 struct Outline {
   Real d0, centre, shear;   // -d0 is the D of design.md; the chord's centre is shear y + centre
@@ -58,9 +52,16 @@ Real square_of(const RootSurface& s, const Outline& o) {
          Real(Wide<128>(), exponent, rounded << linear_error_bits) * o.d0.root() * o.radius;
 }
 
+}  // namespace
+
+// |N| constant, but for what its own rounding hides, and D and the light exact.
+bool has_constant_normal(const RootSurface& s) {
+  return s.discriminant.exponent == 0 && s.light.exponent == 0 && all_zero(std::span(s.square.q).first<5>()) &&
+         all_zero(s.square_root.q) && s.discriminant.q[0].negative();
+}
+
 bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const RootSurface& s = job.face.surface;
-  if (!has_constant_normal(s)) return false;
   const Outline o = outline_of(s);
   const int radius_bits = o.radius.bits();
   if (o.radius.sign() <= 0 || radius_bits < 3 || radius_bits > 13) return false;
@@ -88,18 +89,21 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const Real radial = o.radius;
   // A = 1 as a fraction of 32 bits would not fit: it loses one unit.
   std::int64_t reach_bits = 0;
-  const bool good =
-      put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
-      put(out.centre_slope, o.shear, f + 16) && put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
-      put(out.bar_slope, radial / Real(most), f + 32, 64) && put(out.level_slope, per_level / radial, 48 - f) &&
-      put(out.radius, radial, f) && put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30) &&
-      put(reach_bits, reach, 32) && put(out.alpha, a / reach, 32 + place_bits - f) &&
-      put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
+  const bool good = put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
+                    put(out.centre_slope, o.shear, f + 16) &&
+                    put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
+                    put(out.bar_slope, radial / Real(most), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
+                    put(out.level_slope, per_level / radial, 48 - f) && put(out.radius, radial, f) &&
+                    put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30) && put(reach_bits, reach, 32) &&
+                    put(out.alpha, a / reach, 32 + place_bits - f) &&
+                    put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
   out.reach = static_cast<std::uint32_t>(std::min<std::int64_t>(reach_bits, 0xffffffff));
   out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
   out.sure = 6 + (150 >> (f - place_bits));
   return good && out.radius <= (1 << 30) - 4;  // rho^2 stays under 2^60 with eta's error, as quick_root asks
 }
+
+namespace {
 
 // --- a span ---
 
@@ -284,8 +288,6 @@ class SphereSpan {
 };
 
 }  // namespace
-
-bool has_sphere_contours(const ShadeJob& job) { return make_sphere(job, job.contours->sphere); }
 
 bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   SphereSpan span(job, job.contours->sphere, y, x0, x1);

@@ -120,6 +120,8 @@ class StraightSpan {
   std::uint32_t runs_ = 1;
 };
 
+}  // namespace
+
 // A survey costs as much as so many dots one by one. The first pays where thrice as many are to be expected, of a face as high as it is
 // wide; others, of lines further on, where twice as many have been shaded since, by far cheaper ones counting an eighth. After a failure it
 // is twice as many.
@@ -128,8 +130,6 @@ bool is_survey_due(const ShadeJob& job, std::uint32_t dots) {
   const auto cost = static_cast<std::uint32_t>(200 + 8 * job.table.levels);
   return (!s.tried && dots * dots >= 3 * cost) || s.waited >= 2 * cost << s.failures;
 }
-
-}  // namespace
 
 bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   StraightContours& s = job.contours->straight;
