@@ -141,7 +141,7 @@ class Reporter {
       found_.resolver.push_back(measure_resolver({"resolver", name, text}, plan_.povray_page, plan_.runs));
     };
     for (const char* name : {"clover_knot", "gear"}) add_row(name, read_file(scene_path(name).string()));
-    for (const char* name : {"steinmetz_2", "eight_quadrics"}) {
+    for (const char* name : {"steinmetz_2", "viviani", "steinmetz_3", "eight_quadrics"}) {
       add_row(name, read_file((tree / "tests/hard/scenes" / (std::string(name) + ".uq")).string()));
     }
     for (const int atoms : plan_.resolver_atoms) {

@@ -85,6 +85,8 @@ TEST(Real, ArithmeticIsTheCompilers) {
     ASSERT_TRUE(is_same(a - b, a.native() - b.native())) << trial;
     ASSERT_TRUE(is_same(a * b, a.native() * b.native())) << trial;
     ASSERT_TRUE(is_same(a / b, a.native() / b.native())) << trial;
+    const Real power = power_of_two(static_cast<int>(dice() % 32764) - 16382);
+    ASSERT_TRUE(is_same(a / power, a.native() / power.native())) << trial;
     ASSERT_EQ(a < b, a.native() < b.native()) << trial;
     ASSERT_EQ(a <= b, a.native() <= b.native()) << trial;
     ASSERT_EQ(a == b, a.native() == b.native()) << trial;
