@@ -21,25 +21,27 @@ ContourKind straight_or_general(const ShadeJob& job) {
   return ContourKind::straight;
 }
 
-// Instructions of a Cortex-M3, or of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r levels met from
-// dot to dot takes so much more than its set-up dot by dot:
-//   dot n + run min(r, n)   dot by dot,   span + step r   by contours
+// Instructions of a Cortex-M3, or tenths of a nanosecond of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with
+// r levels met from dot to dot takes  span + dot n + run min(r, n) + step r,  `span` beyond that of the way dot by dot.
 struct Way {
-  std::int64_t span, step;
+  std::int64_t span, dot, run, step;
+
+  [[nodiscard]] constexpr std::int64_t cost(std::int64_t n, std::int64_t r) const {
+    return span + dot * n + run * std::min(r, n) + step * r;
+  }
 };
-struct Costs {
-  std::int64_t dot, run;
-  Way general, sphere;
+struct Ways {
+  Way dot_by_dot, general, sphere;
 };
-constexpr Costs costs =
-    limb_bits == 32 ? Costs{330, 90, {2000, 200}, {-10200, 80}} : Costs{85, 70, {1000, 260}, {-1000, 50}};
+constexpr Ways ways = limb_bits == 32 ? Ways{{0, 330, 55, 35}, {-3500, 30, 70, 95}, {-10200, 0, 0, 80}}
+                                      : Ways{{0, 85, 70, 0}, {1000, 0, 0, 260}, {-1000, 0, 0, 50}};
 
 // Whether contours are cheaper. The last span tells r / n, as far as each level is met twice; before there is one, it is met once.
 bool is_sparse(const ShadeJob& job, std::uint32_t dots, const Way& way) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
   const std::uint32_t steps = face.dots == 0 ? levels : std::min(dots * face.steps / face.dots, 2 * levels);
-  return way.span + way.step * steps < costs.dot * dots + costs.run * std::min(steps, dots);
+  return way.cost(dots, steps) < ways.dot_by_dot.cost(dots, steps);
 }
 
 // Of a face with straight contours.
@@ -57,12 +59,12 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
   if (face.kind == ContourKind::sphere) {
-    if (!pays(costs.sphere)) return false;
+    if (!pays(ways.sphere)) return false;
     if (face.sphere.fraction == 0 && !make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
     if (face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1)) return true;
   }
   if (face.kind == ContourKind::curved) {
-    if (!pays(costs.general) && !is_survey_due(job, dots)) {
+    if (!pays(ways.general) && !is_survey_due(job, dots)) {
       face.straight.waited += dots;
       return false;
     }
@@ -70,7 +72,7 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
   }
   if (face.kind == ContourKind::none) return false;
   if (face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) return true;
-  return pays(costs.general) && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
+  return pays(ways.general) && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
 }
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {

@@ -4,7 +4,8 @@
 // Bounds  -b is linear. D is the linear form between its values at the block's corners, and at most |dxx| w^2 / 4 + |dyy| h^2 / 4 to the
 //         one side that their signs tell. Hence bounds of n and of the depth, for all dots where D >= 0.
 // Error   docs/core.md, "Bound of a sample"; tests/core/depth_test.cpp.
-// Cost    A block takes about as much as four depths by polynomials in 128 bits; a quarter as many lines as dots of its width share it.
+// Cost    A block takes about as much as four depths by polynomials in 128 bits; 51 lines share it, or a quarter as many as its width has
+//         dots.
 #pragma once
 
 #include "firmware/core/face.hpp"
