@@ -205,7 +205,7 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
   Dice dice(31);
   Tally tally;
   std::uint64_t straight = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < trials(200); ++trial) {
     const Lighting lighting = dice() % 4 == 0 ? random_lighting(dice) : some_lighting(dice);
     const std::int64_t radius = dice() % 8 == 0 ? between(dice, 100, 400) : between(dice, 20, 80);
     const auto side = static_cast<std::int32_t>(2 * radius + 4);
@@ -230,8 +230,8 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
     }
     straight += canvas.contours.straight.entries > 0 ? 1 : 0;
   }
-  EXPECT_GT(tally.dots, 300000U);
-  EXPECT_GT(straight, 60U);
+  EXPECT_GT(tally.dots, static_cast<std::uint64_t>(trials(300000)));
+  EXPECT_GT(straight, static_cast<std::uint64_t>(trials(60)));
 }
 
 Lighting plain_lighting() {

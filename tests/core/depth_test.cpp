@@ -240,7 +240,7 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
                      order, lighting);
   };
   int changes = 0;
-  for (int trial = 0; trial < 600; ++trial) {
+  for (int trial = 0; trial < trials(600); ++trial) {
     TestFace f = ball(1, dice() % 4 == 0 ? 1 : -1);
     TestFace g = ball(2, dice() % 4 == 0 ? 1 : -1);
     const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
@@ -256,7 +256,7 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
       changes += f.active.proofs[0].crossing >= 0 ? 1 : 0;
     }
   }
-  EXPECT_GT(changes, 1000);
+  EXPECT_GT(changes, trials(1000));
 }
 
 // Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.
