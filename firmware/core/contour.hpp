@@ -1,5 +1,5 @@
 // contour.hpp - shading by contours: a visible span is cut where the boundaries between levels cross it, and nothing is computed
-// per dot. Each of the ways below shades dots x0 .. x1 of line y exactly as shade_root_span does, or declines:
+// per dot. Each of the ways below shades dots x0 .. x1 of line y exactly as the face's shader dot by dot does, or declines:
 //   sphere_contour    faces with |N| constant: a level is an interval about a centre, by one root
 //   straight_contour  cylinders and cones: every contour a straight line through one point of the page
 //   general_contour   any face with z^2, or whose z is a polynomial: monotone pieces of the intensity, boundaries by certified signs

@@ -84,7 +84,7 @@ struct ActiveFace {
   DepthBlock block;                  // about the dots last asked for
   std::array<DepthProof, 2> proofs;  // the newest first
   std::array<Wide<128>, 10> c;
-  RootSurface surface;  // of a root face
+  RootSurface surface;  // of a root face, and of a rational one whose normal is a polynomial
   std::int64_t origin_z = 0;
   std::int32_t origin_x = 0, origin_y = 0;
   std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_depth()
