@@ -25,10 +25,11 @@ std::vector<std::int16_t> levels_of(const Samples& samples, std::int32_t levels,
 }
 
 // Of several runs; nothing: it failed, and `why` has its words.
-std::optional<double> seconds_of(const Words& words, const std::string& input, int runs, std::string& why) {
+std::optional<double> seconds_of(const Words& words, const std::string& input, int runs, std::string& why,
+                                 const std::string& output = "") {
   std::vector<double> times;
   for (int i = 0; i < runs; ++i) {
-    const ChildResult child = run_child(words, input);
+    const ChildResult child = run_child(words, input, output);
     if (!child.ok()) {
       why = fmt::format("{} failed, and its rows are left out: {}", words[0], child.output.substr(0, 300));
       return std::nullopt;
@@ -98,17 +99,22 @@ std::optional<OtherPicture> draw_by_povray(const std::string& scene_path, const 
                       levels_of(samples, request.levels, [](double value) { return (value + 0.5) / 65535; })};
 }
 
-std::optional<OtherPicture> draw_by_raster3d(const Molecule& molecule, const OtherRequest& request, std::string& why) {
+std::optional<OtherPicture> draw_by_raster3d(const Molecule& molecule, const OtherRequest& request, Raster3dFile file,
+                                             std::string& why) {
   if (!are_there({"render"}, "raster3d", why)) return std::nullopt;
   const ReportScratch scratch;
   const std::string scene = scratch / "scene.r3d", empty = scratch / "empty.r3d", picture = scratch / "scene.png";
   write_file(scene, as_raster3d(molecule, request.width));
   write_file(empty, as_raster3d(nothing(), request.width));
-  const auto of_empty = seconds_of({"render", "-png", scratch / "empty.png"}, empty, request.runs, why);
-  const auto whole = seconds_of({"render", "-png", picture}, scene, request.runs, why);
-  if (!of_empty || !whole) return std::nullopt;
+  const bool png = file == Raster3dFile::png;
+  const auto timed = [&](const std::string& input) {
+    return seconds_of({"render", png ? "-png" : "-avs"}, input, request.runs, why, "/dev/null");
+  };
+  const auto of_empty = timed(empty), whole = timed(scene);
+  if (!of_empty || !whole || !seconds_of({"render", "-png", picture}, scene, 1, why)) return std::nullopt;
   const auto intensity = [](double value) { return (value + 0.5) * (value + 0.5) / (256.0 * 256.0); };
-  return OtherPicture{"Raster3D", *whole - *of_empty, levels_of(read_samples(picture), request.levels, intensity)};
+  return OtherPicture{png ? "Raster3D PNG" : "Raster3D", *whole - *of_empty,
+                      levels_of(read_samples(picture), request.levels, intensity)};
 }
 
 }  // namespace halfspace

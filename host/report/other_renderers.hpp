@@ -2,8 +2,9 @@
 // Light   Both are asked for our formula: ambient plus parallel light times cosine, no shadows, no highlight.
 // Levels  floor((levels - 1) * intensity). POV-Ray's picture is linear, 16 bits; Raster3D's is the root of the intensity in 8
 //         bits, so that the middle of its step is taken.
-// Time    Processor time of the whole program, net of a page without bodies: reading the scene, and for Raster3D, which can
-//         not do without, a compressed picture file.
+// Time    Processor time of the whole program, net of a page without bodies: reading the scene and drawing it. POV-Ray writes
+//         no file; Raster3D, which must, writes samples as they are (its AVS format) or, as it does when asked for nothing, a
+//         PNG, whose compression is most of its time. Neither is halftoned.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +27,13 @@ struct OtherRequest {
   int runs = 3;  // the median counts
 };
 
+enum class Raster3dFile { samples, png };
+
 // The scene file as tools/uq_to_pov.py writes it, with a bounding box for every body. Nothing, and `why`: the program is missing
 // or fails.
 [[nodiscard]] std::optional<OtherPicture> draw_by_povray(const std::string& scene_path, const OtherRequest& request,
                                                          std::string& why);
 [[nodiscard]] std::optional<OtherPicture> draw_by_raster3d(const Molecule& molecule, const OtherRequest& request,
-                                                           std::string& why);
+                                                           Raster3dFile file, std::string& why);
 
 }  // namespace halfspace

@@ -130,8 +130,10 @@ class Reporter {
       const Truth truth = add({"whole", name, as_uniquadrix(molecule)}, size, true);
       std::string why;
       tell(name + " by Raster3D");
-      const auto picture = draw_by_raster3d(molecule, asked(size), why);
-      add_other(picture, truth, why);
+      for (const Raster3dFile file : {Raster3dFile::samples, Raster3dFile::png}) {
+        const auto picture = draw_by_raster3d(molecule, asked(size), file, why);
+        add_other(picture, truth, why);
+      }
     }
   }
 

@@ -19,7 +19,7 @@ constexpr Aim aims[] = {{"POV-Ray", "", 100, 20}, {"Raster3D", "30", 20, 10}, {"
 
 const Aim& aim_of(const Row& other) {
   return *std::find_if(std::begin(aims), std::end(aims), [&](const Aim& aim) {
-    return other.renderer == aim.renderer && other.scene.starts_with(aim.scene);
+    return other.renderer.starts_with(aim.renderer) && other.scene.starts_with(aim.scene);
   });
 }
 

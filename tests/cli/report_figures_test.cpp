@@ -77,6 +77,7 @@ TEST_F(ReportFigures, QuickHasFiguresAndNoWrongDotWhereNoneIsPromised) {
   for (const ListedShader& shader : listed_shaders) EXPECT_EQ(rows["Halfspace " + std::string(shader.name)], 12);
   EXPECT_EQ(rows["POV-Ray "], 2);
   EXPECT_EQ(rows["Raster3D "], 2);
+  EXPECT_EQ(rows["Raster3D PNG "], 2);
   EXPECT_EQ(suites.size(), 4U);
   EXPECT_NE(text("new/report/README.md").find("| clover_knot | 64 x 51 | POV-Ray | contour |"), std::string::npos);
   EXPECT_NE(text("new/report/error.svg").find("</svg>"), std::string::npos);
