@@ -10,26 +10,12 @@ out=$2
 root=$(cd "$(dirname "$0")/../.." && pwd)
 ram_size=16384
 flash_size=262144
-failures=0
-
-fail() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
-
-need_program() { # program, package
-  command -v "$1" > /dev/null && return
-  echo "FAILED: $1 is missing: apt-get install $2" >&2
-  exit 1
-}
-
-figure() { sed -n "s/^$2 //p" "$1"; } # log, name
+. "$root/tests/board/common.sh"
 
 # Runs out/$1.elf in a folder of its own; the exit status is the board's.
 run_board() {
   mkdir "$1" && cd "$1" || return 1
-  timeout 120 qemu-system-arm -M microbit -icount shift=6 -display none -monitor none -serial none \
-    -semihosting-config enable=on,target=native -kernel "../$1.elf" < /dev/null > log 2>&1
+  emulate microbit "../$1.elf" > log 2>&1
   local status=$?
   cd ..
   return $status
@@ -97,8 +83,7 @@ check_refused() {
   echo "$job: refused before drawing, needs $need bytes, has $have"
 }
 
-need_program arm-none-eabi-g++ "gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev"
-need_program qemu-system-arm qemu-system-arm
+need_board_programs
 
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
 for shader in isqrt jordan; do

@@ -7,26 +7,10 @@ export LC_ALL=C
 halfspace=$1
 out=$2
 root=$(cd "$(dirname "$0")/../.." && pwd)
-failures=0
-
-fail() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
-
-need_program() { # program, package
-  command -v "$1" > /dev/null && return
-  echo "FAILED: $1 is missing: apt-get install $2" >&2
-  exit 1
-}
+. "$root/tests/board/common.sh"
 
 # shader, stride, job
-run_board() {
-  timeout 120 qemu-system-arm -M mps2-an385 -icount shift=6 -display none -monitor none -serial none \
-    -semihosting-config "enable=on,target=native,arg=$1,arg=$2,arg=$3" -kernel mps2-an385.elf < /dev/null > log 2>&1
-}
-
-figure() { sed -n "s/^$1 //p" log; }
+run_board() { emulate mps2-an385 mps2-an385.elf ",arg=$1,arg=$2,arg=$3" > log 2>&1; }
 
 # FNV-1a of a bitmap's rows: P4's are a band's bytes.
 hash_of() {
@@ -42,20 +26,26 @@ print(h)' "$1"
 check() {
   "$halfspace" run "$1.hsj" -d versatec --shader "$4" ${5:+--stride "$3"} -o "$1.pbm" --quiet || fail "$1 by $4 on the host"
   run_board "$2" "$3" "$1.hsj" || fail "$1 by $2: status $? ($(tr '\n' ' ' < log))"
-  [ "$(figure hash)" = "$(hash_of "$1.pbm")" ] || fail "$1 by $2 differs from $4 on the host"
-  printf '%-8s %-3s %8s dots, %6s instructions a dot\n' "$1" "$2" "$(figure dots)" \
-    $((($(figure enter) + $(figure shade)) / $(figure dots)))
+  [ "$(figure log hash)" = "$(hash_of "$1.pbm")" ] || fail "$1 by $2 differs from $4 on the host"
+  printf '%-8s %-3s %8s dots, %6s instructions a dot\n' "$1" "$2" "$(figure log dots)" \
+    $((($(figure log enter) + $(figure log shade)) / $(figure log dots)))
 }
 
-need_program arm-none-eabi-g++ "gcc-arm-none-eabi libstdc++-arm-none-eabi-dev libnewlib-dev"
-need_program qemu-system-arm qemu-system-arm
+need_board_programs
 
 rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
 "$root/boards/mps2-an385/build.sh" . || exit 1
 cat > ball.uq << 'SCENE'
 quadric q <1 1 1 0 0 0 .1 .2 0 -9>; body (q); light 1 -.5 .9 -.8; view dop 0 0 -1 whw 3.2 whh 3.2;
 SCENE
-for scene in ball.uq "$root/scenes/tube.uq" "$root/tests/board/ties.uq"; do
+cat > general.uq << 'SCENE'
+quadric e <1 3 .4 .3 -.2 .1 0 0 0 -1>; body (e);
+quadric h <1 -.5 1 0 .3 0 -4 0 0 3.2>; plane a <0 1 0 -1.5>; plane b <0 -1 0 -1.5>; body (h a b);
+quadric p <1 1 .5 0 0 .4 6 2 0 8>; plane c <0 -1 0 -2>; body (p c);
+quadric k <1 -1 1 0 0 0 0 5 0 -6>; plane d <0 1 0 2.5>; plane f <0 -1 0 -5>; body (k d f);
+light .1; light .9 -.5 .9 -.8; view dop .2 .1 -1 whw 4 whh 4;
+SCENE
+for scene in ball.uq general.uq "$root/scenes/tube.uq" "$root/tests/board/ties.uq"; do
   name=$(basename "$scene" .uq)
   "$halfspace" compile "$scene" -d versatec --size 160x160 -o "$name.hsj" --quiet || exit 1
   check "$name" 0 1 isqrt
