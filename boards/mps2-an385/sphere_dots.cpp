@@ -48,7 +48,7 @@ Sphere Sphere::of(const ShadeJob& job) {
 LastFace<Sphere> last_;
 
 void enter(ActiveFace& face, const Lighting& lighting) {
-  make_root_surface(face, lighting);
+  any_quadric_dots.enter(face, lighting);  // which forgets its last face too
   last_.forget();
 }
 
