@@ -39,18 +39,12 @@ class StraightSpan {
   [[nodiscard]] bool is_usable() const { return is_usable_; }
 
   void paint() {
-    std::int32_t i = 0;
-    for (std::int32_t end = s_.entries; i < end;) {
-      const std::int32_t middle = i + (end - i) / 2;
-      (end_of(middle) < x0_ << place_bits ? i : end) = end_of(middle) < x0_ << place_bits ? middle + 1 : middle;
-    }
-    level_ = level_of(entries_[i > 0 ? i - 1 : 0]);
-    from_ = x0_;
-    RunPainter run(job_.painter, x0_, level_);
-    for (i = paint_certain(run, i); i < s_.entries; i = paint_certain(run, i + 1)) ask(run, i);
-    if (from_ <= x1_) run.change(from_, level_);
+    const std::int32_t from = first_beyond(x0_ << place_bits);
+    const std::int32_t end = first_beyond((x1_ << place_bits) + unsure_ + 1);
+    RunPainter run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
+    for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) ask(run, i);
     run.end(x1_);
-    job_.counters.level_spans += runs_;
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
   }
 
  private:
@@ -62,51 +56,44 @@ class StraightSpan {
   }
   // From there on an entry's level holds.
   [[nodiscard]] std::int32_t end_of(std::int32_t i) const { return base_ + upper(entries_[i], width_); }
-
-  // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or their
-  // number.
-  [[nodiscard]] std::int32_t paint_certain(RunPainter& painter, std::int32_t i) {
-    RunPainter run = painter;
-    std::int32_t from = from_, level = level_;
-    std::uint32_t runs = runs_;
-    const std::int32_t base = base_, unsure = unsure_, x1 = x1_, end = s_.entries;
-    const std::uint32_t width = width_;
-    const std::uint32_t* const entries = entries_;
-    for (; i < end; ++i) {
-      const std::uint32_t entry = entries[i];
-      const std::int32_t at = base + upper(entry, width);
-      if ((at & (one_dot - 1)) <= unsure) break;
-      const std::int32_t x = (at >> place_bits) + 1;
-      if (x > from) {
-        if (x > x1) {
-          i = end;
-          break;
-        }
-        run.change(from, level);
-        ++runs;
-        from = x;
-      }
-      level = level_of(entry);
+  // The first entry whose level holds from `place` on or later.
+  [[nodiscard]] std::int32_t first_beyond(std::int32_t place) const {
+    std::int32_t i = 0;
+    for (std::int32_t end = s_.entries; i < end;) {
+      const std::int32_t middle = i + (end - i) / 2;
+      (end_of(middle) < place ? i : end) = end_of(middle) < place ? middle + 1 : middle;
     }
-    painter = run;
-    from_ = from;
-    level_ = level;
-    runs_ = runs;
     return i;
   }
 
-  // Entry i, which may change the level on either side of a dot.
+  // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or the end.
+  [[nodiscard]] std::int32_t paint_certain(RunPainter& painter, std::int32_t i, std::int32_t end) const {
+    RunPainter run = painter;
+    const std::int32_t base = base_ + one_dot, unsure = unsure_;
+    const std::uint32_t width = width_;
+    const std::uint32_t* const last = entries_ + end;
+    const std::uint32_t* at = entries_ + i;
+    for (; at != last; ++at) {
+      const std::int32_t place = base + upper(*at, width);
+      if ((place & (one_dot - 1)) <= unsure) break;
+      run.change(place >> place_bits, level_of(*at));
+    }
+    painter = run;
+    return static_cast<std::int32_t>(at - entries_);
+  }
+
+  // Entry i, which may change the level on either side of a dot; the dot may have been asked for another entry's sake.
   [[gnu::noinline]] void ask(RunPainter& run, std::int32_t i) {
     const std::int32_t x = end_of(i) >> place_bits;
-    if (x >= from_ && x <= x1_) {
-      if (x > from_) run.change(from_, level_);
-      level_ = search_level(job_.table, level_, [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
-      run.change(x, level_);
-      from_ = x + 1;
-      runs_ += 2;
+    if (x != asked_) {
+      const std::int32_t level = search_level(job_.table, level_of(entries_[i]),
+                                              [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
+      run.change(x, level);
+      asked_ = x;
+      ++job_.counters.level_spans;
       ++job_.counters.intensities;
     }
-    if (x <= x1_) level_ = level_of(entries_[i]);
+    if (x < x1_) run.change(x + 1, level_of(entries_[i]));
   }
 
   const ShadeJob& job_;
@@ -116,8 +103,7 @@ class StraightSpan {
   bool is_usable_ = false;
   std::uint32_t width_ = 0;             // of the rulings surveyed, on this line
   std::int32_t base_ = 0, unsure_ = 0;  // of where an entry's level holds for sure, and by how much less it may
-  std::int32_t from_ = 0, level_ = 0;   // from that dot on that level, not shown yet
-  std::uint32_t runs_ = 1;
+  std::int32_t asked_ = -1;             // the dot last asked for
 };
 
 }  // namespace
