@@ -323,6 +323,16 @@ Real nearest_whole(Real v) {
   return parts.exponent < 0 ? composed(nearest_whole_of(parts), 0, parts.negative) : v;
 }
 
+// The fraction as 64 bits is, in two's complement, what is above the nearest whole.
+double rounding_of(Real v, int bits) {
+  const Parts parts = parts_of(v);
+  const int shift = -(parts.exponent + bits);
+  if (shift <= 0 || shift > 128 + fraction_bits) return 0;
+  const Bits128 fraction = shift <= 128 ? parts.mantissa << (128 - shift) : parts.mantissa >> (shift - 128);
+  const auto above = static_cast<double>(static_cast<std::int64_t>(fraction >> 64)) * 0x1p-64;
+  return parts.negative ? above : -above;
+}
+
 Bits128 whole_bits(Real v) {
   const Parts parts = parts_of(v);
   if (parts.exponent >= 0) return parts.mantissa << parts.exponent;
