@@ -53,6 +53,7 @@ struct RunRequest {
 struct InfoRequest {
   SceneRequest scene;
   PageRequest page;
+  std::string page_option;  // the first that was said of those which a job has settled already, if any
 };
 
 [[nodiscard]] ExitStatus run_info(const InfoRequest& request);

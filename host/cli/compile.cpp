@@ -33,6 +33,7 @@ ExitStatus run_compile(const CompileRequest& request) {
   }
   const Pipeline pipeline = make_job(request.scene, choice, true);
   if (pipeline.status != ExitStatus::drawn) return pipeline.status;
+  if (!request.scene.quiet) warn_of_needless(request.page, choice);
   if (request.page.dpi != 0 && !request.scene.quiet) {
     fmt::print(stderr, "warning: --dpi {}: a job holds no density; say it to halfspace run\n", request.page.dpi);
   }

@@ -80,18 +80,11 @@ ExitStatus sweep(JobInput& job) {
   return job.verdict(result);
 }
 
-// The first option that says what a job has settled already, if any.
-const char* settled_option(const InfoRequest& request) {
-  if (!request.scene.view.empty()) return "--view";
-  if (request.page.size) return "--size";
-  if (request.page.levels != 0) return "--levels";
-  return request.page.background.empty() ? nullptr : "--background";
-}
-
 ExitStatus job_info(const InfoRequest& request) {
   const std::string& path = request.scene.paths.front();
-  if (const char* option = settled_option(request)) {
-    return fail(ExitStatus::command_line_wrong, fmt::format("{}: a job's page is settled; leave it out", option), path);
+  if (!request.page_option.empty()) {
+    return fail(ExitStatus::command_line_wrong,
+                fmt::format("{}: a job's page is settled; leave it out", request.page_option), path);
   }
   JobFile file(path);
   if (!file.is_open()) return ExitStatus::device_or_file_failed;

@@ -35,7 +35,7 @@ void add_page_options(CLI::App& command, PageRequest& page) {
       ->check(CLI::IsMember({"black", "white"}));
   command.add_option("--screen", page.screen, "Halftone screen of bilevel devices")
       ->check(CLI::IsMember({"clustered", "bayer", "blue-noise"}))
-      ->capture_default_str();
+      ->default_str("clustered");
 }
 
 void add_picture_options(CLI::App& command, PictureRequest& picture) {
@@ -49,10 +49,16 @@ void add_picture_options(CLI::App& command, PictureRequest& picture) {
               "contour and isqrt, stride by averages between some dots")
           ->check(CLI::IsMember({"auto", "contour", "jordan", "isqrt", "stride"}))
           ->capture_default_str();
-  command.add_option("--stride", picture.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
-      ->check(CLI::Range(1, 32767))
-      ->needs(shader)
-      ->capture_default_str();
+  const CLI::Option* stride =
+      command
+          .add_option("--stride", picture.stride, "Of the shader stride: levels at most so many dots apart; 1 is exact")
+          ->check(CLI::Range(1, 32767))
+          ->needs(shader)
+          ->capture_default_str();
+  command.callback([stride, &picture] {
+    if (stride->empty() || picture.shader == "stride") return;
+    throw CLI::ValidationError("--stride", "the shader " + picture.shader + " takes no stride; say --shader stride");
+  });
   command.add_flag("--stats", picture.statistics.table, "Print what the picture took");
   command.add_option("--stats-json", picture.statistics.file,
                      "Write the same figures to a file; the picture stays where this fails");
@@ -92,6 +98,11 @@ Commands add_commands(CLI::App& app, Requests& requests) {
   add_scene_options(*info, requests.info.scene);
   info->get_option("scene")->description("Scene files, as for render; or one job (.hsj), which has its own page");
   add_page_options(*info, requests.info.page);
+  info->callback([info, &said = requests.info.page_option] {
+    for (const char* option : {"--view", "--device", "--size", "--dpi", "--levels", "--background", "--screen"}) {
+      if (said.empty() && info->count(option) > 0) said = option;
+    }
+  });
 
   CLI::App* report = app.add_subcommand("report", "Measure speed against error, and write tables and plots");
   report->add_option("-o,--output", requests.report.folder, "The folder to write into")->capture_default_str();

@@ -102,6 +102,11 @@ std::optional<std::string> choose_output(const std::string& asked, const KnownDe
   return output;
 }
 
+void warn_of_density(std::int32_t dpi, const std::string& output, const KnownDevice& device) {
+  if (dpi == 0 || holds_density(output, device)) return;
+  fmt::print(stderr, "warning: --dpi {}: {} holds no density\n", dpi, output);
+}
+
 DrawnPage draw_page(ByteSource& job_bytes, const DrawRequest& request) {
   DrawnPage drawn;
   drawn.status = ExitStatus::device_or_file_failed;

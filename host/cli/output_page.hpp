@@ -38,6 +38,9 @@ struct DrawnPage {
 // The name of OUT; nothing: refused, and said why.
 [[nodiscard]] std::optional<std::string> choose_output(const std::string& asked, const KnownDevice& device);
 
+// Tells of a density (0: none was said) that OUT does not record.
+void warn_of_density(std::int32_t dpi, const std::string& output, const KnownDevice& device);
+
 // What render and run share: every page is drawn from a job's bytes, and OUT is touched only once the page is whole.
 [[nodiscard]] DrawnPage draw_page(ByteSource& job_bytes, const DrawRequest& request);
 

@@ -122,6 +122,12 @@ PageChoice choose_page(const PageRequest& request) {
   return choice;
 }
 
+void warn_of_needless(const PageRequest& request, const PageChoice& choice) {
+  if (request.screen.empty() || choice.page.format == DotFormat::bilevel) return;
+  fmt::print(stderr, "warning: --screen {}: {} draws levels as they are, without a screen\n", request.screen,
+             choice.device->traits.name);
+}
+
 Pipeline make_job(const SceneRequest& request, const PageChoice& choice, bool measure) {
   Pipeline p;
   double last = processor_seconds();

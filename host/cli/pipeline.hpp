@@ -19,7 +19,7 @@ struct PageRequest {
   std::int32_t dpi = 0;
   std::int32_t levels = 0;
   std::string background;  // "black" or "white"
-  std::string screen = "clustered";
+  std::string screen;      // empty: clustered
 };
 
 struct PageChoice {
@@ -31,6 +31,9 @@ struct PageChoice {
 };
 
 [[nodiscard]] PageChoice choose_page(const PageRequest& request);
+
+// Tells of a screen on a device that needs none.
+void warn_of_needless(const PageRequest& request, const PageChoice& choice);
 
 struct StageTimes {
   double read = 0, flatten = 0, resolve = 0, job = 0, draw = 0;  // seconds

@@ -10,6 +10,10 @@ ExitStatus run_render(const RenderRequest& request) {
   const auto output = choose_output(request.draw.output, *choice.device);
   if (!output) return ExitStatus::command_line_wrong;
 
+  if (!request.scene.quiet) {
+    warn_of_needless(request.page, choice);
+    warn_of_density(request.page.dpi, *output, *choice.device);
+  }
   const Pipeline pipeline = make_job(request.scene, choice, wanted(request.draw.statistics));
   if (pipeline.status != ExitStatus::drawn) return pipeline.status;
   MemorySource job(pipeline.job.bytes);

@@ -13,6 +13,7 @@ ExitStatus run_job(const RunRequest& request) {
   const auto output = choose_output(request.draw.output, *choice.device);
   if (!output) return ExitStatus::command_line_wrong;
 
+  if (!request.quiet) warn_of_density(request.dpi, *output, *choice.device);
   JobFile file(request.path);
   if (!file.is_open()) return ExitStatus::device_or_file_failed;
   const DrawnPage drawn = draw_page(file, {.device = choice.device,

@@ -1,10 +1,13 @@
 #include "host/flatten/extent.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 
 #include "host/flatten/ellipsoid_extent.hpp"
 #include "host/flatten/extent_filter.hpp"
+#include "host/flatten/far_directions.hpp"
 #include "host/flatten/meeting_extent.hpp"
 #include "host/flatten/spectrum.hpp"
 
@@ -103,10 +106,40 @@ std::size_t roots_on(const Line& line, const RealHalfSpace& q, std::array<Real, 
   return 2;
 }
 
+// Told in doubles by the minors of the symmetric matrix: in a pair of planes, or what `reduce` takes for one, all are below 2^-69 of the cube
+// of its largest entry. Their own rounding is some 2^-49 of the terms.
+bool is_no_plane_pair(const RealHalfSpace& q) {
+  std::array<double, 10> c{};
+  double most = 0;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    c[i] = static_cast<double>(q.c[i]);
+    most = std::max(most, std::abs(c[i]));
+  }
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    const std::size_t i = left_out == 0 ? 1 : 0;
+    const std::size_t j = left_out <= 1 ? 2 : 1;
+    const std::size_t k = left_out <= 2 ? 3 : 2;
+    const auto at = [&c](std::size_t row, std::size_t column) { return c[quadric_index[row][column]]; };
+    const std::array<double, 5> terms{at(i, i) * at(j, j) * at(k, k), 2 * at(i, j) * at(j, k) * at(i, k),
+                                      -at(i, i) * at(j, k) * at(j, k), -at(j, j) * at(i, k) * at(i, k),
+                                      -at(k, k) * at(i, j) * at(i, j)};
+    double minor = 0;
+    double sizes = 0;
+    for (const double term : terms) {
+      minor += term;
+      sizes += std::abs(term);
+    }
+    if (std::abs(minor) > sizes * 0x1p-40 && std::abs(minor) > most * most * most * 0x1p-60) return true;
+  }
+  return false;
+}
+
 class Search {
  public:
-  explicit Search(std::span<const Side> sides)
-      : sides_(sides), filter_(sides, static_cast<double>(power_of_two(-held_bits))) {
+  Search(std::span<const Side> sides, Real slack)
+      : sides_(sides),
+        slack_(static_cast<double>(slack)),
+        filter_(sides, static_cast<double>(power_of_two(-held_bits))) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
       const RealHalfSpace& h = sides[i].shape;
       if (h.kind == HalfSpaceKind::plane) {
@@ -123,7 +156,7 @@ class Search {
       for (std::size_t j = i + 1; j < planes_.size(); ++j) search_line(i, j);
     }
     for (const std::size_t q : quadrics_) search_quadric(q);
-    result_.unbounded = reaches_infinity();
+    result_.unbounded = !certainly_ends(sides_) && reaches_infinity();
     return result_;
   }
 
@@ -131,9 +164,10 @@ class Search {
   // Quadrics that are two planes also take part as planes.
   void add_quadric(std::size_t side) {
     const RealHalfSpace& q = sides_[side].shape;
+    quadrics_.push_back(side);
+    if (is_no_plane_pair(q)) return;
     const ReducedQuadric reduced = reduce(q, 1);
     const auto& [first, second, third] = reduced.squares;
-    quadrics_.push_back(side);
     if (reduced.linear || reduced.count > 2) return;
     if (reduced.count == 2 && reduced.constant() == 0 && (first.weight < 0) != (second.weight < 0)) {
       const Real a = square_root(magnitude(first.weight));
@@ -174,10 +208,27 @@ class Search {
 
   void offer(const Vector3& p, std::initializer_list<std::size_t> on) {
     if (!finite(p[0] + p[1] + p[2]) || filter_.is_in_box(enclosure(p)) || !held(p, on)) return;
-    const Box point{p, p};
-    result_.box = result_.empty ? point : around(result_.box, point);
+    include({p, p});
+  }
+
+  void include(const Box& part) {
+    result_.box = result_.empty ? part : around(result_.box, part);
     result_.empty = false;
     filter_.set_box(result_.box);
+  }
+
+  // Needs no look in Real: needless, or known to within the slack, which makes the box no smaller.
+  bool settle(const ExtentFilter::Found& found) {
+    if (!found) return false;
+    const std::span points(found->at.data(), found->count);
+    const auto is_far = [this](const IntervalVector& p) {
+      return std::any_of(p.begin(), p.end(), [this](const Interval& v) { return !(v.high - v.low < slack_); });
+    };
+    if (std::any_of(points.begin(), points.end(), is_far)) return false;
+    for (const IntervalVector& p : points) {
+      include({{p[0].low, p[1].low, p[2].low}, {p[0].high, p[1].high, p[2].high}});
+    }
+    return true;
   }
 
   void offer_roots(const Line& line, std::size_t quadric, std::initializer_list<std::size_t> on) {
@@ -194,10 +245,10 @@ class Search {
     std::vector<std::size_t> planes;
     std::vector<std::size_t> quadrics;
     for (std::size_t k = j + 1; k < planes_.size(); ++k) {
-      if (!near || !filter_.drops_on_plane(*near, near_planes_[k], {a, b, planes_[k].side})) planes.push_back(k);
+      if (!near || !settle(filter_.on_plane(*near, near_planes_[k], {a, b, planes_[k].side}))) planes.push_back(k);
     }
     for (const std::size_t q : quadrics_) {
-      if (!near || !filter_.drops_on_quadric(*near, q, {a, b, q})) quadrics.push_back(q);
+      if (!near || !settle(filter_.on_quadric(*near, q, {a, b, q}))) quadrics.push_back(q);
     }
     Line line;
     if ((planes.empty() && quadrics.empty()) || !meet(planes_[i], planes_[j], line)) return;
@@ -225,14 +276,14 @@ class Search {
       std::vector<UnitPlane> turning;
       Line line;
       const auto near = meeting_line(near_polar[b], near_polar[c]);
-      const bool is_needless = near && filter_.drops_on_quadric(*near, q, {q});
-      if (!is_needless && make_plane(polar[b], no_side, turning) && make_plane(polar[c], no_side, turning) &&
+      const bool is_settled = near && settle(filter_.on_quadric(*near, q, {q}));
+      if (!is_settled && make_plane(polar[b], no_side, turning) && make_plane(polar[c], no_side, turning) &&
           meet(turning[0], turning[1], line)) {
         offer_roots(line, q, {q});
       }
       for (std::size_t i = 0; i < planes_.size(); ++i) {
         const UnitPlane& plane = planes_[i];
-        if (plane.side == q || drops_section(i, q, near_polar[b], near_polar[c], b, c)) continue;
+        if (plane.side == q || settles_section(i, q, near_polar[b], near_polar[c], b, c)) continue;
         search_section(plane, q, polar[b], polar[c], plane.normal[b], plane.normal[c]);
       }
     }
@@ -250,9 +301,9 @@ class Search {
     }
   }
 
-  // Is search_section certain to find nothing new?
-  [[nodiscard]] bool drops_section(std::size_t i, std::size_t q, const IntervalPlane& polar_b,
-                                   const IntervalPlane& polar_c, std::size_t b, std::size_t c) const {
+  // search_section without Real, where that will do.
+  [[nodiscard]] bool settles_section(std::size_t i, std::size_t q, const IntervalPlane& polar_b,
+                                     const IntervalPlane& polar_c, std::size_t b, std::size_t c) {
     const IntervalPlane& plane = near_planes_[i];
     const auto combined = [&](const Interval& of_b, const Interval& of_c) {
       return plane.normal[b] * of_c - plane.normal[c] * of_b;
@@ -261,7 +312,7 @@ class Search {
     for (std::size_t k = 0; k < 3; ++k) condition.normal[k] = combined(polar_b.normal[k], polar_c.normal[k]);
     condition.offset = combined(polar_b.offset, polar_c.offset);
     const auto line = meeting_line(plane, condition);
-    return line && filter_.drops_on_quadric(*line, q, {planes_[i].side, q});
+    return line && settle(filter_.on_quadric(*line, q, {planes_[i].side, q}));
   }
 
   // Whether half-space `side` allows going on forever along d (of length 1).
@@ -340,6 +391,7 @@ class Search {
   }
 
   std::span<const Side> sides_;
+  double slack_;
   ExtentFilter filter_;
   std::vector<UnitPlane> planes_;
   std::vector<IntervalPlane> near_planes_;
@@ -358,11 +410,11 @@ Extent extent_of(std::span<const Side> sides, Real slack, bool meet) {
   if (meet) {
     Extent extent = meeting_extent(sides, slack);
     if (!extent.unbounded) return extent;
-    extent = Search(sides).run();
+    extent = Search(sides, slack).run();
     extent.unbounded = true;
     return extent;
   }
-  return Search(sides).run();
+  return Search(sides, slack).run();
 }
 
 Box around(const Box& a, const Box& b) {

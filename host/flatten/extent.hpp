@@ -32,7 +32,8 @@ struct Extent {
   Box box;
 };
 
-// A side of the box is good enough when it is no further off than `slack`.
+// A side of the box is good enough when it is outside the true one by no more than `slack`, of which intervals of doubles need next to
+// nothing; points that they do not find outside the body count as its own.
 [[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack = 0);
 // `meet`: quadrics of two families may meet in the body (meeting_extent.hpp).
 [[nodiscard]] Extent extent_of(std::span<const Side> sides, Real slack, bool meet);

@@ -43,6 +43,14 @@ std::optional<Parameters> parameters_of_roots(const Interval& a, const Interval&
   return Parameters{2, {quotient(-b - root, a), quotient(root - b, a)}};
 }
 
+// All roots are at least so large: below it a t^2 + 2 b t cannot outweigh c.
+double least_root(const Interval& a, const Interval& b, const Interval& c) {
+  if (c.may_vanish()) return 0;
+  const double least_c = std::min(std::abs(c.low), std::abs(c.high));
+  const double most_b = most(b);
+  return least_c / (most_b + std::sqrt(most_b * most_b + most(a) * least_c)) * (1 - 0x1p-40);
+}
+
 }  // namespace
 
 Interval enclosure(Real v) {
@@ -82,25 +90,34 @@ void ExtentFilter::set_box(const Box& box) {
   for (std::size_t i = 0; i < 3; ++i) (*inside_)[i] = {enclosure(box.low[i]).high, enclosure(box.high[i]).low};
 }
 
-bool ExtentFilter::drops_on_plane(const IntervalLine& line, const IntervalPlane& plane, Owners on) const {
+ExtentFilter::Found ExtentFilter::on_plane(const IntervalLine& line, const IntervalPlane& plane, Owners on) const {
   const Interval slope = dot(plane.normal, line.direction);
-  if (slope.may_vanish()) return false;
+  if (slope.may_vanish()) return std::nullopt;
   const Interval t = quotient(-(dot(plane.normal, line.point) + plane.offset), slope);
-  return !is_large(t) && drops(sum(line.point, scaled(line.direction, t)), on);
+  if (is_large(t)) return std::nullopt;
+  const IntervalVector p = sum(line.point, scaled(line.direction, t));
+  return drops(p, on) ? Points{} : Points{1, {p}};
 }
 
-bool ExtentFilter::drops_on_quadric(const IntervalLine& line, std::size_t quadric, Owners on) const {
+ExtentFilter::Found ExtentFilter::on_quadric(const IntervalLine& line, std::size_t quadric, Owners on) const {
   const auto& c = sides_[quadric].c;
   const IntervalVector gradient{c[6], c[7], c[8]};
   const IntervalVector of_point = sum(polar(c, line.point), gradient);  // half the gradient there
-  const auto roots = parameters_of_roots(dot(polar(c, line.direction), line.direction), dot(of_point, line.direction),
-                                         dot(sum(of_point, gradient), line.point) + c[9]);
-  if (!roots) return false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(roots->count); ++i) {
-    const Interval& t = roots->t[i];
-    if (is_large(t) || !drops(sum(line.point, scaled(line.direction, t)), on)) return false;
+  const Interval bend = dot(polar(c, line.direction), line.direction);
+  const Interval slope = dot(of_point, line.direction);
+  const Interval value = dot(sum(of_point, gradient), line.point) + c[9];
+  const auto roots = parameters_of_roots(bend, slope, value);
+  if (!roots) {
+    const bool needs_none = drops_beyond(line, least_root(bend, slope, value), on);
+    return needs_none ? Found(Points{}) : std::nullopt;
   }
-  return true;
+  Points found;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(roots->count); ++i) {
+    if (is_large(roots->t[i])) return std::nullopt;
+    const IntervalVector p = sum(line.point, scaled(line.direction, roots->t[i]));
+    if (!drops(p, on)) found.at[found.count++] = p;
+  }
+  return found;
 }
 
 bool ExtentFilter::ends_along(const IntervalVector& d) const {
@@ -161,6 +178,33 @@ bool ExtentFilter::drops(const IntervalVector& p, Owners on) const {
     if (!is_own && !holds_at(i, p).value_or(true)) return true;
   }
   return false;
+}
+
+// Are all points of the line needless that are t or more from its point, either way? Planes alone are asked: their values grow as t does.
+bool ExtentFilter::drops_beyond(const IntervalLine& line, double t, Owners on) const {
+  bool there = false;
+  bool opposite = false;
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    if (!sides_[i].is_plane || std::find(on.begin(), on.end(), i) != on.end()) continue;
+    const auto& c = sides_[i].c;
+    const IntervalVector normal{c[0], c[1], c[2]};
+    const Interval start = dot(normal, line.point) + c[3];
+    const Interval slope = dot(normal, line.direction);
+    double start_terms = most(c[3]);
+    double slope_terms = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      start_terms += most(normal[k]) * most(line.point[k]);
+      slope_terms += most(normal[k]) * most(line.direction[k]);
+    }
+    const auto excludes = [&](const Interval& growth) {
+      const double grows = growth.low - slack * tolerance_ * slope_terms;
+      return grows > 0 &&
+             start.low - slack * tolerance_ * start_terms + grows * t * (1 - 0x1p-40) > std::abs(start.low) * 0x1p-40;
+    };
+    there = there || excludes(slope);
+    opposite = opposite || excludes(-slope);
+  }
+  return there && opposite;
 }
 
 // Does going on along d leave the side for good? Told by the terms that decide far out.

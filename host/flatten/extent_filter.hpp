@@ -1,8 +1,8 @@
-// extent_filter.hpp - which candidates of extent.cpp are certain to change nothing, told in intervals of doubles:
-// those that a half-space excludes, and those inside the box of the points already found.
+// extent_filter.hpp - the candidates of extent.cpp in intervals of doubles: which are certain to change nothing, because a half-space
+// excludes them or they are inside the box of the points already found, and about where the others lie.
 // Certain  Every term's margin (2^-51 of it) is far wider than what extent.cpp's roundings in Real make of it (2^-112), so an
-//          interval holds what Real gets, and what is told here is so there. Nothing else may be dropped: extents, and with them
-//          scenes that are fitted to the page, are those without the filter, to the bit.
+//          interval holds what Real gets, and what is told here is so there. Where no slack is allowed nothing else may be dropped:
+//          extents, and with them scenes that are fitted to the page, are those without the filter, to the bit.
 // Cost     A tenth of Real's.
 #pragma once
 
@@ -48,9 +48,14 @@ class ExtentFilter {
   // What has been found so far.
   void set_box(const Box& box);
 
-  // Is the point where the line meets the plane needless? Are both points where it meets the quadric?
-  [[nodiscard]] bool drops_on_plane(const IntervalLine& line, const IntervalPlane& plane, Owners on) const;
-  [[nodiscard]] bool drops_on_quadric(const IntervalLine& line, std::size_t quadric, Owners on) const;
+  // Points that may be needed. None: that cannot be told.
+  struct Points {
+    std::size_t count = 0;
+    std::array<IntervalVector, 2> at;
+  };
+  using Found = std::optional<Points>;
+  [[nodiscard]] Found on_plane(const IntervalLine& line, const IntervalPlane& plane, Owners on) const;
+  [[nodiscard]] Found on_quadric(const IntervalLine& line, std::size_t quadric, Owners on) const;
 
   // Does a side hold at it, or fail: none, if that cannot be told.
   [[nodiscard]] bool is_in_box(const IntervalVector& p) const;
@@ -70,6 +75,7 @@ class ExtentFilter {
     double size = 0;  // of the coefficients that decide far out
   };
   [[nodiscard]] bool drops(const IntervalVector& p, Owners on) const;
+  [[nodiscard]] bool drops_beyond(const IntervalLine& line, double t, Owners on) const;
   [[nodiscard]] bool forbids(const FilterSide& side, const IntervalVector& d) const;
 
   double tolerance_;

@@ -43,14 +43,50 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
   return result;
 }
 
-// The least scale, a power of two, that `holds` of.
-template <class Holds>
-std::optional<Real> least_scale(Holds holds) {
+// The least scale, a power of two, that `holds` of in Real. Trials that `certain(bits)` tells of do not ask it.
+template <class Certain, class Holds>
+std::optional<Real> least_scale(Certain certain, Holds holds) {
   return with_least_bits(0, scale_limit, [&](int bits) {
     const Real scale = power_of_two(bits);
-    return holds(scale) ? std::optional(scale) : std::nullopt;
+    const std::optional<bool> known = certain(bits);
+    return (known ? *known : holds(scale)) ? std::optional(scale) : std::nullopt;
   });
 }
+
+// Whether coefficients that are rounded at a scale are off by no more than a limit, each with its weight: in doubles,
+//   sum weight_i |rounding of c_i scale| <= limit scale,
+// where a rounding is off by 2^-53, the limit by 2^-53 of it, and what is left, weights and a sum of sixteen, by 2^-47 of the sum.
+class RoundingLimit {
+ public:
+  explicit RoundingLimit(Real limit) : limit_(static_cast<double>(limit)) {}
+
+  void add(Real c, Real weight) {
+    const auto near = static_cast<double>(weight);
+    terms_[count_++] = {c, near};
+    weights_ += near;
+  }
+
+  [[nodiscard]] std::optional<bool> holds(int bits) const {
+    constexpr double most = 0x1p400;  // far from where doubles end
+    if (!(limit_ > 1 / most && limit_ < most && weights_ < most)) return std::nullopt;
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) sum += terms_[i].weight * std::abs(rounding_of(terms_[i].c, bits));
+    const double most_sum = std::ldexp(limit_, bits);
+    const double slack = weights_ * 0x1p-52 + most_sum * 0x1p-44;
+    if (sum > most_sum + slack) return false;
+    if (sum < most_sum - slack) return true;
+    return std::nullopt;
+  }
+
+ private:
+  struct Term {
+    Real c;
+    double weight = 0;
+  };
+  std::array<Term, 10> terms_{};
+  std::size_t count_ = 0;
+  double limit_, weights_ = 0;
+};
 
 std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& box) {
   const Vector3 normal{h.c[0], h.c[1], h.c[2]};
@@ -63,7 +99,10 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   const Vector4 form{h.c[0] / most, h.c[1] / most, h.c[2] / most, h.c[3] / most};
   const Real size = length({form[0], form[1], form[2]});
   const auto bound = [&](Real scale) { return reach(residual_of(form, scale), box) / (scale * size); };
-  const auto scale = least_scale([&](Real s) { return bound(s) <= box.target; });
+  RoundingLimit limit(box.target * size);
+  for (std::size_t i = 0; i < 4; ++i) limit.add(form[i], i < 3 ? box.half[i] : Real(1));
+  const auto scale =
+      least_scale([&](int bits) { return limit.holds(bits); }, [&](Real s) { return bound(s) <= box.target; });
   if (!scale) return std::nullopt;
   Quantised result{{h.kind, {}}, bound(*scale)};
   for (std::size_t i = 0; i < 4; ++i) result.form.c[i] = round_to_integer(form[i] * *scale);
@@ -167,6 +206,38 @@ Real least_gradient(const ReducedQuadric& reduced) {
   return square_root(least * magnitude(reduced.constant()));
 }
 
+// What quantise_central asks of a scale.
+class CentralLimits {
+ public:
+  CentralLimits(const RealHalfSpace& h, const ReducedQuadric& reduced, Real bending, Real gradient, const LocalBox& box)
+      : bending_(bending), value_(most_value(reduced, gradient, box)) {
+    const Vector4 half{box.half[0], box.half[1], box.half[2], 1};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i; j < 4; ++j) {
+        const Real c = h.c[quadric_index[i][j]];
+        const Real times = i == j ? 1 : 2;
+        value_.add(c, times * half[i] * half[j]);
+        if (j < 3) bending_.add(c, times);
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<bool> hold(int bits) const {
+    const std::optional<bool> bending = bending_.holds(bits);
+    const std::optional<bool> value = value_.holds(bits);
+    if (!bending.value_or(true) || !value.value_or(true)) return false;
+    return bending && value ? std::optional(true) : std::nullopt;
+  }
+
+ private:
+  static Real most_value(const ReducedQuadric& reduced, Real gradient, const LocalBox& box) {
+    const Real most = magnitude(reduced.constant()) / 4;
+    return gradient == 0 ? most : smaller(most, box.target * 2 * gradient);
+  }
+
+  RoundingLimit bending_, value_;
+};
+
 // Ellipsoids and hyperboloids: ten rounded coefficients. The kind survives, since an error of the second-order part
 // below its least weight keeps the signs of all weights (Weyl), and one that is a fraction of the constant keeps its
 // sign.
@@ -185,7 +256,9 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
     const Real moved = gradient == 0 ? 0 : error / (2 * gradient);
     return moved <= box.target ? std::optional(moved) : std::nullopt;
   };
-  const auto scale = least_scale([&](Real s) { return bound(s).has_value(); });
+  const CentralLimits limits(h, reduced, least_weight / 4, gradient, box);
+  const auto scale =
+      least_scale([&](int bits) { return limits.hold(bits); }, [&](Real s) { return bound(s).has_value(); });
   if (!scale) return std::nullopt;
   Quantised result{{h.kind, {}}, *bound(*scale)};
   for (std::size_t i = 0; i < 10; ++i) result.form.c[i] = round_to_integer(h.c[i] * *scale);

@@ -189,6 +189,36 @@ NativeReal copied(Real v) {
   return native;
 }
 
+// The next 64 bits of rest / divisor, of which 2^127 <= divisor and rest < divisor; rest becomes what is left of them (Knuth 4.3.1, D).
+std::uint64_t next_digit(Bits128& rest, Bits128 divisor) {
+  constexpr std::uint64_t most = ~std::uint64_t{0};
+  const Words by = words_of(divisor);
+  const bool is_most = static_cast<std::uint64_t>(rest >> 64) == by.high;
+  std::uint64_t digit = is_most ? most : static_cast<std::uint64_t>(rest / by.high);
+  const Bits128 left = rest - Bits128{digit} * by.high;
+  const Bits128 product = Bits128{digit} * by.low;
+  rest = (left << 64) - product;
+  if (left > most || left << 64 >= product) return digit;
+  do {  // at most twice
+    --digit;
+    rest += divisor;
+  } while (rest >= divisor);
+  return digit;
+}
+
+// Of 2^112 <= v < 2^114, cut: a root in doubles is off by 2^6, and by less than 1 after one of Newton's steps.
+Bits128 whole_root(Bits128 v) {
+  const auto near =
+      static_cast<std::uint64_t>(std::sqrt(static_cast<double>(static_cast<std::uint64_t>(v >> 50))) * 0x1p25);
+  const auto square = Bits128{near} * near;
+  const bool above = square > v;
+  const auto off = static_cast<std::uint64_t>(above ? square - v : v - square) / (2 * near);
+  std::uint64_t root = above ? near - off : near + off;
+  while (Bits128{root} * root > v) --root;
+  while (Bits128{root + 1} * (root + 1) <= v) ++root;
+  return root;
+}
+
 }  // namespace
 
 Real operator*(Real a, Real b) {
@@ -235,33 +265,41 @@ Real operator+(Real a, Real b) {
   return rounded(words_of(sum << up), false, exponent + 1 - up, larger.has_sign());
 }
 
-// Most quotients are halves, and a power of two leaves the mantissa.
+// The quotient's mantissa in two digits of 64 bits; both mantissas lose their last place to that, so that the first one is below the second.
 Real operator/(Real a, Real b) {
   const bool negative = a.has_sign() != b.has_sign();
   if (is_zero(a) && !is_special(b)) return zero(negative);
   const int exponent = a.exponent_bits() - b.exponent_bits() + exponent_bias;
-  const bool is_power = (b.bits() & (hidden_bit - 1)) == 0;
-  if (!is_power || is_special(a) || is_special(b) || exponent < 1 || exponent > 0x7ffe)
-    return Real::of(copied(a) / copied(b));
-  return rounded(aligned_mantissa(a), false, exponent, negative);
+  if (is_special(a) || is_special(b) || exponent < 2 || exponent > 0x7ffd) return Real::of(copied(a) / copied(b));
+  // Most quotients are halves, and a power of two leaves the mantissa.
+  if ((b.bits() & (hidden_bit - 1)) == 0) return rounded(aligned_mantissa(a), false, exponent, negative);
+  const Bits128 divisor = mantissa_of(b) << 15;
+  Bits128 rest = mantissa_of(a) << 14;
+  const std::uint64_t high = next_digit(rest, divisor);
+  const std::uint64_t low = next_digit(rest, divisor);
+  const auto up = static_cast<int>(~high >> 63);  // the quotient is above 1/4 of 2^128
+  const Bits128 top = (Bits128{high} << 64 | low) << up;
+  return rounded(words_of(top), rest != 0, exponent - up, negative);
 }
 
 Real power_of_two(int exponent) {
   return Real::of_bits(Bits128{static_cast<std::uint64_t>(exponent + exponent_bias)} << fraction_bits);
 }
 
+// Zimmermann's square root in two digits: with the root s of the leading half and what is left of it, the next digit is rest / 2s or one
+// less. All of the lower half's bits are 0.
 Real square_root(Real v) {
+  constexpr int digit = 57;
   const Parts parts = parts_of(v);
   if (!(v > 0) || parts.mantissa == 0) return 0;
-  const int shift = 114 + (parts.exponent & 1);  // the exponent left over must be even
-  // mantissa 2^shift, of 227 or 228 bits: four limbs, the lowest of them 0
-  const Bits128 high = parts.mantissa << (shift - 64);
-  const auto carried = static_cast<std::uint64_t>(parts.mantissa >> (192 - shift));
-  const std::array<mp_limb_t, 4> square{0, static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64),
-                                        carried};
-  std::array<mp_limb_t, 2> root{};
-  mpn_sqrtrem(root.data(), nullptr, square.data(), 4);
-  return composed(Bits128{root[1]} << 64 | root[0], (parts.exponent - shift) / 2, false);
+  const int odd = parts.exponent & 1;  // the exponent left over must be even
+  const Bits128 half = parts.mantissa << odd;
+  const Bits128 first = whole_root(half);  // 57 bits
+  const Bits128 rest = (half - first * first) << digit;
+  const Bits128 next = rest / (2 * first);
+  Bits128 root = (first << digit) + next;
+  if ((rest - next * (2 * first)) << digit < next * next) --root;
+  return composed(root, (parts.exponent - odd) / 2 - digit, false);
 }
 
 Real decimal_to_real(const std::string& text) {
@@ -283,6 +321,16 @@ Real nearest_whole(Real v) {
   const Parts parts = parts_of(v);
   if (parts.mantissa == 0) return 0;
   return parts.exponent < 0 ? composed(nearest_whole_of(parts), 0, parts.negative) : v;
+}
+
+// The fraction as 64 bits is, in two's complement, what is above the nearest whole.
+double rounding_of(Real v, int bits) {
+  const Parts parts = parts_of(v);
+  const int shift = -(parts.exponent + bits);
+  if (shift <= 0 || shift > 128 + fraction_bits) return 0;
+  const Bits128 fraction = shift <= 128 ? parts.mantissa << (128 - shift) : parts.mantissa >> (shift - 128);
+  const auto above = static_cast<double>(static_cast<std::int64_t>(fraction >> 64)) * 0x1p-64;
+  return parts.negative ? above : -above;
 }
 
 Bits128 whole_bits(Real v) {

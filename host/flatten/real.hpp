@@ -107,8 +107,9 @@ inline bool finite(Real v) { return v.exponent_bits() != 0x7fff; }
 [[nodiscard]] Real square_root(Real v);         // v >= 0 and finite
 [[nodiscard]] Real decimal_to_real(const std::string& text);
 [[nodiscard]] Real to_real(const mpz_class& v);
-[[nodiscard]] mpz_class round_to_integer(Real v);  // finite; ties away from zero
-[[nodiscard]] Real nearest_whole(Real v);          // the same as a Real
+[[nodiscard]] mpz_class round_to_integer(Real v);    // finite; ties away from zero
+[[nodiscard]] Real nearest_whole(Real v);            // the same as a Real
+[[nodiscard]] double rounding_of(Real v, int bits);  // nearest_whole(w) - w for w = v 2^bits, to within 2^-53
 [[nodiscard]] inline Real floor_of(Real v) {
   const Real near = nearest_whole(v);
   return near > v ? near - 1 : near;

@@ -163,6 +163,11 @@ std::optional<std::string> check_output_name(const std::string& path, const Devi
          "bytes, - for standard output";
 }
 
+bool holds_density(const std::string& path, const KnownDevice& device) {
+  if (!is_picture_name(path)) return device.kind == DeviceKind::pwg;
+  return ending(path) != ".pbm" && ending(path) != ".pgm";
+}
+
 std::optional<std::string> write_output(SimulatedDevice& device, std::int32_t dpi, const std::string& path) {
   const ReceivedPage page = device.sheet();
   if (!page.sheet) return page.error;

@@ -44,6 +44,9 @@ class SimulatedDevice {
 // Why OUT's name will not do, before anything is drawn: an unknown ending, or .pbm of a gray device.
 [[nodiscard]] std::optional<std::string> check_output_name(const std::string& path, const DeviceTraits& traits);
 
+// Does what is written under OUT's name record a density?
+[[nodiscard]] bool holds_density(const std::string& path, const KnownDevice& device);
+
 // The finished page under OUT's name: a picture, or for .prn .pwg .txt, "-" and what is not a file the raw
 // bytes.
 [[nodiscard]] std::optional<std::string> write_output(SimulatedDevice& device, std::int32_t dpi,

@@ -85,6 +85,37 @@ TEST_F(Jobs, HoldNoDensityAndCompileSaysSo) {
   EXPECT_EQ(folder_.read("a.hsj"), left_by({"compile", tube, "--size", "64x48"}, "b.hsj"));
 }
 
+TEST_F(Jobs, AreAskedWithoutWordsAboutTheirPage) {
+  left_by({"compile", tube, "--size", "64x48"}, "a.hsj");
+  for (const Arguments& words :
+       {Arguments{"-d", "varian"}, {"--dpi", "300"}, {"--screen", "clustered"}, {"--levels", "65"}}) {
+    const Outcome outcome = halfspace(Arguments{"info", "a.hsj"} + words);
+    EXPECT_EQ(outcome.status, 2) << words.front();
+    EXPECT_NE(outcome.err.find("a job's page is settled; leave it out"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(Jobs, TellOfWhatMakesNoDifference) {
+  const auto said = [this](const Arguments& command) {
+    const Outcome outcome = halfspace(command);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return outcome.err;
+  };
+  const Arguments gray{"-d", "gray", "--size", "64x48"};
+  const Arguments varian{"-d", "varian", "--size", "64x48"};
+  const std::string screen = "warning: --screen bayer";
+  const std::string density = "warning: --dpi 300";
+  EXPECT_EQ(said(Arguments{"render", tube, "--screen", "bayer", "-o", "a.png"} + gray).find(screen), 0U);
+  EXPECT_EQ(said(Arguments{"compile", tube, "--screen", "bayer", "-o", "g.hsj"} + gray).find(screen), 0U);
+  EXPECT_EQ(said(Arguments{"render", tube, "--dpi", "300", "-o", "a.pbm"} + varian).find(density), 0U);
+  left_by(Arguments{"compile", tube} + varian, "a.hsj");
+  EXPECT_EQ(said({"run", "a.hsj", "--dpi", "300", "-o", "a.prn"}).find(density), 0U);
+  EXPECT_EQ(said({"run", "a.hsj", "--dpi", "300", "-o", "a.prn", "--quiet"}), "");
+  EXPECT_EQ(said({"run", "a.hsj", "--dpi", "300", "-o", "a.tif"}), "");
+  EXPECT_EQ(said({"run", "a.hsj", "-d", "pwg", "--dpi", "300", "-o", "a.prn"}), "");
+  EXPECT_EQ(said(Arguments{"render", tube, "--screen", "bayer", "-o", "a.png"} + varian), "");
+}
+
 TEST_F(Jobs, RunOnAnyDeviceThatTakesTheirPage) {
   left_by({"compile", tube, "-d", "varian", "--size", "64x48"}, "a.hsj");
   const Bytes picture = left_by({"run", "a.hsj", "-d", "varian"}, "a.pbm");

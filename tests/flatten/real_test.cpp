@@ -45,6 +45,9 @@ TEST(Real, WholesAreTheNearest) {
     const Real real = to_real(v) * power_of_two(-fraction);
     ASSERT_EQ(round_to_integer(real), nearest) << v << " / 2^" << fraction;
     ASSERT_EQ(nearest_whole(real), to_real(nearest)) << v << " / 2^" << fraction;
+    const int bits = static_cast<int>(dice() % 120);
+    const Real moved = real * power_of_two(bits);
+    ASSERT_NEAR(rounding_of(real, bits), static_cast<double>(nearest_whole(moved) - moved), 0x1p-53) << v;
   }
 }
 
