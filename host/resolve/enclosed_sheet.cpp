@@ -72,9 +72,19 @@ EnclosedSheet::EnclosedConstraint EnclosedSheet::enclosed(const Constraint& k, l
   return {k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
 }
 
-EnclosedSheet::OnBox EnclosedSheet::own_forms(const Box& box, const Interval& d) const {
-  if (shape_ == SheetShape::rational) return {{}, b_.over(box), c_.over(box)};
-  return {square_root(d), {}, {}};
+EnclosedSheet::OnBox EnclosedSheet::own_forms(const Box& box) const {
+  switch (shape_) {
+    case SheetShape::two_sheets: {
+      const Interval d = d_.over(box);
+      return {d, square_root(d), {}, {}, d.low >= 0};
+    }
+    case SheetShape::rational: {
+      const Interval b = b_.over(box);
+      return {{}, {}, b, c_.over(box), !b.may_vanish()};
+    }
+    default:
+      return {{}, {}, {}, {}, true};
+  }
 }
 
 Interval EnclosedSheet::value_of(const EnclosedConstraint& k, const OnBox& own, const Box& box) const {
@@ -88,17 +98,27 @@ Interval EnclosedSheet::value_of(const EnclosedConstraint& k, const OnBox& own, 
   }
 }
 
+bool EnclosedSheet::is_held(const EnclosedConstraint& k, const Interval& value) {
+  return k.sense > 0 ? value.high <= 0 : value.low >= 0;
+}
+
 Verdict EnclosedSheet::shows_over(const Box& box) const {
-  const Interval d = shape_ == SheetShape::two_sheets ? d_.over(box) : Interval{};
-  if (d.negative()) return Verdict::nowhere;
-  const OnBox own = own_forms(box, d);
-  bool sure = shape_ == SheetShape::rational ? !own.b.may_vanish() : d.low >= 0;
+  const OnBox own = own_forms(box);
+  if (own.d.negative()) return Verdict::nowhere;
+  bool sure = own.exists;
   for (const EnclosedConstraint& k : constraints_) {
     const Interval value = value_of(k, own, box);
     if (k.sense > 0 ? value.positive() : value.negative()) return Verdict::nowhere;
-    sure = sure && (k.sense > 0 ? value.high <= 0 : value.low >= 0);
+    sure = sure && is_held(k, value);
   }
   return sure ? Verdict::everywhere : Verdict::unsure;
+}
+
+bool EnclosedSheet::surely_exists(const Box& box) const { return own_forms(box).exists; }
+
+bool EnclosedSheet::surely_holds(std::size_t constraint, const Box& box) const {
+  const EnclosedConstraint& k = constraints_[constraint];
+  return is_held(k, value_of(k, own_forms(box), box));
 }
 
 }  // namespace halfspace

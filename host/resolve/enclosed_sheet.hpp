@@ -38,6 +38,10 @@ class EnclosedSheet {
   // Where in the box does the sheet exist with every constraint holding?
   [[nodiscard]] Verdict shows_over(const Box& box) const;
 
+  // The same in parts, for what is asked exactly otherwise: does the sheet exist all over the box, does a constraint hold wherever it does?
+  [[nodiscard]] bool surely_exists(const Box& box) const;
+  [[nodiscard]] bool surely_holds(std::size_t constraint, const Box& box) const;
+
  private:
   struct EnclosedConstraint {
     int sense = 1;
@@ -46,12 +50,14 @@ class EnclosedSheet {
   };
   // The own forms over one box.
   struct OnBox {
-    Interval root, b, c;
+    Interval d, root, b, c;
+    bool exists = false;  // surely
   };
 
   [[nodiscard]] EnclosedConstraint enclosed(const Constraint& k, long root_exponent) const;
   [[nodiscard]] Interval value_of(const EnclosedConstraint& k, const OnBox& own, const Box& box) const;
-  [[nodiscard]] OnBox own_forms(const Box& box, const Interval& d) const;
+  [[nodiscard]] static bool is_held(const EnclosedConstraint& k, const Interval& value);
+  [[nodiscard]] OnBox own_forms(const Box& box) const;
 
   SheetShape shape_;
   double t_;             // of P + t R sqrt(d)

@@ -71,7 +71,8 @@ std::vector<Interval> enclosed(const Polynomial& g) {
 
 // In doubles: 0 if it is not sure.
 int quick_sign_at(const std::vector<Interval>& g, const Interval& x) {
-  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
+  constexpr double largest =
+      0x1p70;  // keeps every product in the enclosures finite: of degree four, and coefficients at most 1
   if (!(x.low > -largest && x.high < largest)) return 0;
   Interval value{};
   for (std::size_t i = g.size(); i-- > 0;) value = value * x + g[i];
