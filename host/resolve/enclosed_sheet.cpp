@@ -121,4 +121,17 @@ bool EnclosedSheet::surely_holds(std::size_t constraint, const Box& box) const {
   return is_held(k, value_of(k, own_forms(box), box));
 }
 
+bool EnclosedSheet::implies(std::size_t constraint, const Box& box) const {
+  const OnBox own = own_forms(box);
+  if (own.d.negative()) return true;
+  for (std::size_t i = 0; i < constraints_.size(); ++i) {
+    const EnclosedConstraint& k = constraints_[i];
+    const Interval value = value_of(k, own, box);
+    const bool is_outside = k.sense > 0 ? value.positive() : value.negative();
+    const bool is_inside = k.sense > 0 ? value.negative() : value.positive();
+    if (i == constraint ? is_inside : is_outside) return true;
+  }
+  return false;
+}
+
 }  // namespace halfspace

@@ -42,6 +42,9 @@ class EnclosedSheet {
   [[nodiscard]] bool surely_exists(const Box& box) const;
   [[nodiscard]] bool surely_holds(std::size_t constraint, const Box& box) const;
 
+  // Does the constraint hold, and is not 0, wherever in the box the sheet exists with the others holding?
+  [[nodiscard]] bool implies(std::size_t constraint, const Box& box) const;
+
  private:
   struct EnclosedConstraint {
     int sense = 1;
