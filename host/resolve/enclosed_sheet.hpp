@@ -29,6 +29,17 @@ class EnclosedCurve {
   std::array<double, 6> q_{};
 };
 
+// The same for a curve without terms of second order.
+class EnclosedLine {
+ public:
+  EnclosedLine() = default;
+  EnclosedLine(const Curve& p, long exponent);
+  [[nodiscard]] Interval over(const Box& box) const;
+
+ private:
+  std::array<double, 3> q_{};
+};
+
 enum class Verdict : std::uint8_t { nowhere, everywhere, unsure };
 
 class EnclosedSheet {
@@ -48,7 +59,8 @@ class EnclosedSheet {
  private:
   struct EnclosedConstraint {
     int sense = 1;
-    EnclosedCurve p, r;  // rational sheets: c' and b' of the other surface, and its a'
+    EnclosedCurve p;  // rational sheets: c' and b' of the other surface, and its a'
+    EnclosedLine r;
     Interval a;
   };
   // The own forms over one box.
@@ -63,9 +75,10 @@ class EnclosedSheet {
   [[nodiscard]] OnBox own_forms(const Box& box) const;
 
   SheetShape shape_;
-  double t_;             // of P + t R sqrt(d)
-  EnclosedCurve d_;      // of two sheets
-  EnclosedCurve b_, c_;  // of a rational one
+  double t_;         // of P + t R sqrt(d)
+  EnclosedCurve d_;  // of two sheets
+  EnclosedLine b_;   // of a rational one
+  EnclosedCurve c_;
   std::vector<EnclosedConstraint> constraints_;
 };
 

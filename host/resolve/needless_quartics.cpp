@@ -1,6 +1,7 @@
 #include "host/resolve/needless_quartics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "host/resolve/enclosed_sheet.hpp"
@@ -48,7 +49,7 @@ void drop_needless_quartics(Sheets& sheets, const Extent& extent) {
   const Box page{static_cast<double>(extent.x0), static_cast<double>(extent.y0), static_cast<double>(extent.x1),
                  static_cast<double>(extent.y1)};
   for (std::size_t i = sheets.constraints.size(); i-- > 0;) {
-    if (is_zero(sheets.constraints[i].n) || !is_needless(sheets, i, page)) continue;
+    if (degree_of(sheets.constraints[i].n) <= 2 || !is_needless(sheets, i, page)) continue;
     sheets.constraints.erase(sheets.constraints.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
