@@ -485,6 +485,7 @@ class Flattener {
     const Surface& surface = surfaces_[h.use->surface];
     if (!surface.quantised) return false;
     h.bound = surface.quantised->bound;
+    if (surface.first == half_space && !surface.is_moved) return true;  // the bound is its own
     if (h.shape.kind == HalfSpaceKind::plane) {
       h.bound = larger(h.bound, plane_distance(surface.quantised->form, h.shape, *h.region));
     } else if (!surface.is_moved) {

@@ -2,8 +2,8 @@
 // Rounding  +, -, *, / are those of IEEE binary128, in software, sqrt is correctly rounded towards zero, decimals and
 //           sines come from MPFR. No libm, no contraction, no vector width: the same text gives the same bits.
 // Range     10^-4900 .. 10^4900. What leaves it becomes infinite or nan, which `finite` finds.
-// Cost      Sums, products and comparisons of normal numbers are done here, in integers, in less than half the compiler's time; what is
-//           0, infinite, nan or beyond the normal range is left to the compiler, and so are quotients but those by powers of two.
+// Cost      Sums, products, quotients, roots and comparisons of normal numbers are done here, in integers, in less than half the compiler's or GMP's
+//           time; what is 0, infinite, nan or beyond the normal range is left to the compiler.
 #pragma once
 
 #include <gmpxx.h>

@@ -93,6 +93,8 @@ int RefinedRoot::sign_inside(const Polynomial& g) const {
   return sign_at_dyadic(g, within_.low + within_.high, within_.shift + 1);
 }
 
+int RefinedRoot::sign_of_slope() const { return is_point() ? sign_of(derivative(f_), within_.low) : -sign_low_; }
+
 int RefinedRoot::compare_to_integer(const mpz_class& value) const {
   const mpz_class scaled = value << within_.shift;
   if (scaled < within_.low) return 1;

@@ -28,6 +28,9 @@ class RefinedRoot {
   [[nodiscard]] bool keeps_sign(const Polynomial& g) const;
   [[nodiscard]] int sign_inside(const Polynomial& g) const;
 
+  // The sign of f' at the root.
+  [[nodiscard]] int sign_of_slope() const;
+
   // The sign of root - value.
   [[nodiscard]] int compare_to_integer(const mpz_class& value) const;
 

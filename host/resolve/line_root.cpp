@@ -71,15 +71,50 @@ std::vector<Interval> enclosed(const Polynomial& g) {
 
 // In doubles: 0 if it is not sure.
 int quick_sign_at(const std::vector<Interval>& g, const Interval& x) {
-  constexpr double largest = 0x1p40;  // keeps every product in the enclosures finite
+  constexpr double largest =
+      0x1p70;  // keeps every product in the enclosures finite: of degree four, and coefficients at most 1
   if (!(x.low > -largest && x.high < largest)) return 0;
   Interval value{};
   for (std::size_t i = g.size(); i-- > 0;) value = value * x + g[i];
   return value.positive() ? 1 : value.negative() ? -1 : 0;
 }
 
+// The sign of f' at its root.
+int sign_of_slope(const LineRoot& x) {
+  const int sign = quick_sign_at(enclosed(derivative(*x.f)), x.near);
+  return sign != 0 ? sign : RefinedRoot(x).sign_of_slope();
+}
+
+// The sign of p + q sqrt(e), e > 0.
+int sign_of_sum(const mpz_class& p, const mpz_class& q, const mpz_class& e) {
+  if (sgn(p) * sgn(q) >= 0) return sgn(p) != 0 ? sgn(p) : sgn(q);
+  const int order = cmp(p * p, q * q * e);
+  return order > 0 ? sgn(p) : order < 0 ? sgn(q) : 0;
+}
+
+// x is a root of a x^2 + b x + c, so 2 a x + b = +-sqrt(b^2 - 4 a c) with the sign of the slope, and of g only its remainder counts:
+// a^n g(x) = r1 x + r0, which is (2 a r0 - b r1 +- r1 sqrt) / 2a.
+int sign_at_second_order(const Polynomial& g, const LineRoot& x) {
+  const mpz_class& a = (*x.f)[2];
+  const mpz_class& b = (*x.f)[1];
+  const mpz_class& c = (*x.f)[0];
+  Polynomial r = g;
+  int sign = sgn(a);
+  for (; r.size() > 2; sign *= sgn(a)) {
+    const mpz_class top = std::move(r.back());
+    r.pop_back();
+    for (mpz_class& v : r) v *= a;
+    r[r.size() - 1] -= top * b;
+    r[r.size() - 2] -= top * c;
+  }
+  r.resize(2);
+  const int slope = sgn(r[1]) == 0 ? 1 : sign_of_slope(x);
+  return sign * sign_of_sum(2 * a * r[0] - b * r[1], slope * r[1], b * b - 4 * a * c);
+}
+
 int exact_sign_at(const Polynomial& g, const LineRoot& x) {
   if (x.f->size() == 2) return sgn(scaled_value_at(g, -(*x.f)[0], (*x.f)[1]));
+  if (x.f->size() == 3) return sign_at_second_order(g, x);
   RefinedRoot root(x);
   if (degree(g) < 0 || root.is_root_of(greatest_common_divisor(*x.f, g))) return 0;
   while (!root.keeps_sign(g)) root.halve();  // ends: g is not 0 at x

@@ -4,6 +4,7 @@
 
 #include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/face_cells.hpp"
+#include "host/resolve/needless_quartics.hpp"
 
 namespace halfspace {
 namespace {
@@ -48,12 +49,14 @@ void use_arcs(const IntegerBody& body, const FaceCells& face, ArcTable& arcs) {
   }
 }
 
-std::vector<Sheets> opaque_sheets(const IntegerBody& body) {
+std::vector<Sheets> opaque_sheets(const IntegerBody& body, const Extent& extent) {
   std::vector<Sheets> all;
   for (std::uint32_t i = 0; i < body.half_spaces.size(); ++i) {
     if (body.half_spaces[i].transparent) continue;
     Sheets sheets = sheets_of(body, i);
-    if (sheets.shape != SheetShape::none) all.push_back(std::move(sheets));
+    if (sheets.shape == SheetShape::none) continue;
+    drop_needless_quartics(sheets, extent);
+    all.push_back(std::move(sheets));
   }
   return all;
 }
@@ -63,7 +66,7 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
   const Extent extent = local_extent(body, scene.scissor);
   if (extent.x0 > extent.x1 || extent.y0 > extent.y1) return;
   const bool hide = !all_faces && rays_start_outside(body);
-  const std::vector<Sheets> opaque = opaque_sheets(body);
+  const std::vector<Sheets> opaque = opaque_sheets(body, extent);
   ArcTable arcs(body.origin[1]);
   QuarticTable table(extent.y0, extent.y1);
   std::vector<ResolvedHalfSpace> resolved;

@@ -21,7 +21,7 @@ class SheetPresence {
   [[nodiscard]] bool may_show(const IntervalPoint& point) const;
 
  private:
-  [[nodiscard]] bool shows_exactly(const LineRoot& x, const mpz_class& y) const;
+  [[nodiscard]] bool shows_exactly(const LineRoot& x, std::int64_t line, const Box* box) const;
 
   const Sheets& sheets_;
   Sheet sheet_;
