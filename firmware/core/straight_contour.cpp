@@ -30,17 +30,18 @@ class StraightSpan {
     // An entry's level counts as less than a unit of p.
     const std::int32_t unit = static_cast<std::int32_t>(width >> 24) + 1;
     const std::int32_t entry = upper(static_cast<std::uint32_t>(s_.entry_width) << 8, width_) + 1;
-    unsure_ = entry + unit + 6;
+    blur_ = entry + 6;
+    unsure_ = blur_ + unit;
     base_ = static_cast<std::int32_t>(left) + 4 + entry;
-    is_usable_ = unsure_ < one_dot / 8 && (x0 << place_bits) >= end_of(0) - unsure_ &&
-                 (x1 << place_bits) <= end_of(s_.entries - 1);
+    is_usable_ = unsure_ < one_dot / 8 && (x0 << place_bits) >= place_of(entries_[0]) - unsure_ &&
+                 (x1 << place_bits) <= place_of(entries_[s_.entries - 1]);
   }
   // The rulings of the whole span have been surveyed.
   [[nodiscard]] bool is_usable() const { return is_usable_; }
 
   void paint() {
-    const std::int32_t from = first_beyond(x0_ << place_bits);
-    const std::int32_t end = first_beyond((x1_ << place_bits) + unsure_ + 1);
+    const std::int32_t from = first_from(x0_ << place_bits);
+    const std::int32_t end = first_from((x1_ << place_bits) + blur_ + 1);
     RunPainter run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
     for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) ask(run, i);
     run.end(x1_);
@@ -54,14 +55,15 @@ class StraightSpan {
   static std::int32_t upper(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::int32_t>(std::uint64_t{a} * b >> 32);
   }
-  // From there on an entry's level holds.
-  [[nodiscard]] std::int32_t end_of(std::int32_t i) const { return base_ + upper(entries_[i], width_); }
-  // The first entry whose level holds from `place` on or later.
-  [[nodiscard]] std::int32_t first_beyond(std::int32_t place) const {
+  // From there on an entry's level holds; what its low bits add is in unsure_.
+  [[nodiscard]] std::int32_t place_of(std::uint32_t entry) const { return base_ + upper(entry, width_); }
+  // The first entry whose level holds only from `place` on or later. Without their low bits entries are in order.
+  [[nodiscard]] std::int32_t first_from(std::int32_t place) const {
     std::int32_t i = 0;
     for (std::int32_t end = s_.entries; i < end;) {
       const std::int32_t middle = i + (end - i) / 2;
-      (end_of(middle) < place ? i : end) = end_of(middle) < place ? middle + 1 : middle;
+      const bool is_before = place_of(entries_[middle] >> entry_level_bits << entry_level_bits) < place;
+      (is_before ? i : end) = is_before ? middle + 1 : middle;
     }
     return i;
   }
@@ -84,7 +86,7 @@ class StraightSpan {
 
   // Entry i, which may change the level on either side of a dot; the dot may have been asked for another entry's sake.
   [[gnu::noinline]] void ask(RunPainter& run, std::int32_t i) {
-    const std::int32_t x = end_of(i) >> place_bits;
+    const std::int32_t x = place_of(entries_[i]) >> place_bits;
     if (x != asked_) {
       const std::int32_t level = search_level(job_.table, level_of(entries_[i]),
                                               [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
@@ -103,6 +105,7 @@ class StraightSpan {
   bool is_usable_ = false;
   std::uint32_t width_ = 0;             // of the rulings surveyed, on this line
   std::int32_t base_ = 0, unsure_ = 0;  // of where an entry's level holds for sure, and by how much less it may
+  std::int32_t blur_ = 0;               // unsure_ of an entry without its low bits
   std::int32_t asked_ = -1;             // the dot last asked for
 };
 
