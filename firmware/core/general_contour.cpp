@@ -72,6 +72,7 @@ class SpanTracer {
   };
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
+  [[nodiscard]] std::int32_t chord_width(const LevelDot& a, const LevelDot& b) const;
   void monotone(LevelDot a, const LevelDot& b, bool rising);
   [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                       const LevelPlace& place) const;
@@ -176,9 +177,18 @@ inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32
 std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
-    (reaches(level_dot(middle), k) == rising ? from : before) = middle;
+    const Answer answer = line_.reaches(middle, job_.table.squares[static_cast<std::size_t>(k)]);
+    const bool yes = answer == Answer::unsure ? settle(middle, k) : answer == Answer::yes;
+    (yes == rising ? from : before) = middle;
   }
   return from;
+}
+
+// Of the next chord from a. Where s halves before the end, that is a limb, and no chord ends there.
+std::int32_t SpanTracer::chord_width(const LevelDot& a, const LevelDot& b) const {
+  const std::int32_t rest = b.t - a.t;
+  if (rest > 1 && rest < 2 * chord_ && (a.s / 2 > b.s || b.s / 2 > a.s)) return rest / 2;
+  return rest <= chord_ + chord_ / 2 ? rest : chord_;
 }
 
 // From a to b, where levels only rise or fall. A lead is F where they rise, -F where they fall: it goes up.
@@ -196,7 +206,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   Lead lead_a = a.lead(sign);
   while (is_beyond(b, lead_b.of(bar))) {
     const std::int32_t rest = b.t - a.t;
-    const std::int32_t width = rest <= chord_ + chord_ / 2 ? rest : chord_;
+    const std::int32_t width = chord_width(a, b);
     const LevelDot c = width == rest ? b : level_dot(a.t + width);
     const Lead lead_c = c.lead(sign);
     std::int32_t lead = lead_c.of(bar);
@@ -225,7 +235,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       chord_ = width / 2;
       continue;
     }
-    chord_ = place.error < fine ? 2 * width : width;
+    chord_ = 4 * c.s < 3 * a.s ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
     const std::int32_t middle = line_.middle();
     for (;;) {
       painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
