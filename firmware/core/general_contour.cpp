@@ -63,8 +63,8 @@ class SpanTracer {
   };
   [[nodiscard]] Piece next_piece(const Stop& a, Stop& b) const;
   [[nodiscard]] bool keeps_level(const LevelDot& a, const LevelDot& b) const;
-  void dot_by_dot(const Stop& from, const Stop& to);
-  void step_over(const Stop& from, const Stop& to);
+  void dot_by_dot(const LevelDot& from, const LevelDot& to);
+  void step_over(const LevelDot& from, const LevelDot& to);
   void dot(const LevelDot& dot);
   struct RidgeStop {
     std::int32_t t;
@@ -114,14 +114,14 @@ void SpanTracer::dot(const LevelDot& dot) {
 }
 
 // Each dot after `from` up to `to` for itself.
-void SpanTracer::dot_by_dot(const Stop& from, const Stop& to) {
-  for (std::int32_t t = from.dot.t + 1; t < to.dot.t; ++t) dot(level_dot(t));
-  dot(to.dot);
+void SpanTracer::dot_by_dot(const LevelDot& from, const LevelDot& to) {
+  for (std::int32_t t = from.t + 1; t < to.t; ++t) dot(level_dot(t));
+  dot(to);
 }
 
 // On from `from` to `to`, where the course is not known.
-void SpanTracer::step_over(const Stop& from, const Stop& to) {
-  if (to.dot.t - from.dot.t == 1 || !keeps_level(from.dot, to.dot)) dot_by_dot(from, to);
+void SpanTracer::step_over(const LevelDot& from, const LevelDot& to) {
+  if (to.t - from.t == 1 || !keeps_level(from, to)) dot_by_dot(from, to);
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
@@ -154,13 +154,13 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
 
 void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
-  const Stop left = first.t == a.dot.t ? a : stop_at(first.t);
-  monotone(a.dot, left.dot, a.ridge.sign() > 0);
+  const LevelDot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
+  monotone(a.dot, left, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
-  const Stop right = last.t == b.dot.t ? b : stop_at(last.t);
+  const LevelDot right = last.t == b.dot.t ? b.dot : level_dot(last.t);
   step_over(left, right);
-  monotone(right.dot, b.dot, b.ridge.sign() > 0);
+  monotone(right, b.dot, b.ridge.sign() > 0);
 }
 
 // The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
@@ -279,7 +279,7 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
     } else if (piece.course != Course::unsure) {
       monotone(a.dot, b.dot, a.ridge.sign() > 0);
     } else if (!piece.level) {
-      dot_by_dot(a, b);
+      dot_by_dot(a.dot, b.dot);
     }
     a = b;
   }
