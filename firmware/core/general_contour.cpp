@@ -204,49 +204,49 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   };
   const Lead lead_b = b.lead(sign);
   Lead lead_a = a.lead(sign);
-  while (is_beyond(b, lead_b.of(bar))) {
+  std::int32_t at_a = lead_a.of(bar);
+  bool more = is_beyond(b, lead_b.of(bar));
+  while (more) {
     const std::int32_t rest = b.t - a.t;
     const std::int32_t width = chord_width(a, b);
     const LevelDot c = width == rest ? b : level_dot(a.t + width);
     const Lead lead_c = c.lead(sign);
-    std::int32_t lead = lead_c.of(bar);
-    if (!is_beyond(c, lead)) {
+    std::int32_t at_c = lead_c.of(bar);
+    if (!is_beyond(c, at_c)) {
       chord_ = std::min(2 * width, longest_half);
-      a = c;
-      lead_a = lead_c;
-      continue;
-    }
-    if (width == 1) {  // all boundaries between them are one
+    } else if (width == 1) {  // all boundaries between them are one
       const std::int32_t before = k;
       do {
         k += sign;
         bar += bar_step;
-      } while (is_beyond(c, lead_c.of(bar)));
+        at_c = lead_c.of(bar);
+      } while (is_beyond(c, at_c));
       painter_.change(line_.middle() + c.t, k - sign - below);
       if (k - before == sign) chord_ = 2;
-      a = c;
-      lead_a = lead_c;
-      continue;
-    }
-    LevelChord chord(line_, a, c);
-    if (!rising) chord.mirror();
-    LevelPlace place = chord.place(bar, lead_a.of(bar), lead);
-    if (width > 2 && place.error > coarse) {
-      chord_ = width / 2;
-      continue;
-    }
-    chord_ = 4 * c.s < 3 * a.s ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
-    const std::int32_t middle = line_.middle();
-    for (;;) {
-      painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
-      k += sign;
-      bar += bar_step;
-      lead = lead_c.of(bar);
-      if (!is_beyond(c, lead)) break;
-      place = chord.place(bar, lead_a.of(bar), lead);
+      more = is_beyond(b, lead_b.of(bar));
+    } else {
+      LevelChord chord(line_, a, c);
+      if (!rising) chord.mirror();
+      LevelPlace place = chord.place(bar, at_a, at_c);
+      if (width > 2 && place.error > coarse) {
+        chord_ = width / 2;
+        continue;
+      }
+      chord_ = 4 * c.s < 3 * a.s ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
+      const std::int32_t middle = line_.middle();
+      for (;;) {
+        painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
+        k += sign;
+        bar += bar_step;
+        at_c = lead_c.of(bar);
+        if (!is_beyond(c, at_c)) break;
+        place = chord.place(bar, lead_a.of(bar), at_c);
+      }
+      more = width != rest && is_beyond(b, lead_b.of(bar));
     }
     a = c;
     lead_a = lead_c;
+    at_a = at_c;
   }
   job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
   level_ = rising ? k - 1 : k;
