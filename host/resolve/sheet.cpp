@@ -169,7 +169,7 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   if (sheets.shape == SheetShape::none) return sheets;
   if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
   sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
-  sheets.constraints.reserve(body.half_spaces.size());
+  sheets.constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
     Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}, {}};

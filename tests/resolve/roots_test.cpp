@@ -34,6 +34,26 @@ TEST(LineRoot, OrderOfCloseRootsFollowsThePolynomials) {
   EXPECT_EQ(compare(middle, b), -1);
 }
 
+// (x - r) (x - s) and its multiples vanish at both roots; what is a hair off does not.
+TEST(LineRoot, SignsAtRootsOfSecondOrder) {
+  const mpz_class big = mpz_class(1) << 80;
+  for (const int sign : {-1, 1}) {
+    const Polynomial f{-2 * big * big * sign, 0, sign};  // +-sqrt(2) 2^80
+    const std::vector<LineRoot> roots = real_roots(f);
+    EXPECT_EQ(sign_at(times(f, {7, -3, 5}), roots[0]), 0);
+    EXPECT_EQ(sign_at(minus(times(f, {7, -3, 5}), {0, 1}), roots[0]), 1);
+    EXPECT_EQ(sign_at(minus(times(f, {7, -3, 5}), {0, 1}), roots[1]), -1);
+    EXPECT_EQ(sign_at(plus(times(f, {0, 0, 1}), {-1}), roots[1]), -1);
+    EXPECT_EQ(sign_at(plus(times(f, f), {0, 0, 0, 0, 0}), roots[1]), 0);
+  }
+  const LineRoot close = real_roots({-2 * big * big - 1, 0, 1})[1];
+  EXPECT_EQ(sign_at({-2 * big * big, 0, 1}, close), 1);
+  EXPECT_EQ(sign_at({-2 * big * big - 2, 0, 1}, close), -1);
+  const LineRoot low = real_roots({big * big - 1, -2 * big, 1})[0];  // 2^80 - 1, and 2^80 + 1
+  EXPECT_EQ(sign_at({1 - big, 1}, low), 0);
+  EXPECT_EQ(sign_at({-1 - big, 1}, low), -1);
+}
+
 TEST(LineRoot, FloorAndCeiling) {
   const std::vector<LineRoot> roots = real_roots({-2, 0, 1});
   EXPECT_EQ(floor_of(roots[0]), -2);
