@@ -213,7 +213,7 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
     const Lead lead_c = c.lead(sign);
     std::int32_t at_c = lead_c.of(bar);
     if (!is_beyond(c, at_c)) {
-      chord_ = std::min(2 * width, longest_half);
+      chord_ = std::min(width + width / 4 + 1, longest_half);
     } else if (width == 1) {  // all boundaries between them are one
       const std::int32_t before = k;
       do {
