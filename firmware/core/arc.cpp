@@ -91,23 +91,29 @@ struct ConicArc {
     form =
         SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, start.y - start.origin_y);
   }
-  // 2 A x + B y + D: twice the register x is r(x+1) - r(x-1) + 2A.
-  [[nodiscard]] Int slope() const { return form.x + form.x - form.xx; }
-  [[nodiscard]] static bool at_or_right(ArcBranch branch, const Int& value, const auto& slope_at) {
-    if (branch == ArcBranch::left) return !is_positive(value) || !is_negative(slope_at());
-    return !is_negative(value) && (branch == ArcBranch::single || !is_negative(slope_at()));
+  // Of 2 A x + B y + D, the mean of the differences to the next dot and from the last, x and x - xx, where A > 0: as a rule both have its sign.
+  [[nodiscard]] bool is_falling(const Int& x) const {
+    if (is_negative(x)) return true;
+    return x < form.xx && is_negative(x + x - form.xx);
   }
-  [[nodiscard]] bool at_or_right() const {
-    return at_or_right(branch, form.r, [this] { return slope(); });
+  [[nodiscard]] bool is_rising() const {
+    if (is_negative(form.x)) return false;
+    return form.x >= form.xx || is_positive(form.x + form.x - form.xx);
   }
+  // Of a dot with the value r and the difference x to the next.
+  [[nodiscard]] bool at_or_right(const Int& r, const Int& x) const {
+    if (branch == ArcBranch::left) return !is_positive(r) || !is_falling(x);
+    return !is_negative(r) && (branch == ArcBranch::single || !is_falling(x));
+  }
+  [[nodiscard]] bool at_or_right() const { return at_or_right(form.r, form.x); }
   [[nodiscard]] bool right() const {
-    if (branch == ArcBranch::left) return is_negative(form.r) || is_positive(slope());
-    return is_positive(form.r) && (branch == ArcBranch::single || is_positive(slope()));
+    if (branch == ArcBranch::left) return is_negative(form.r) || is_rising();
+    return is_positive(form.r) && (branch == ArcBranch::single || is_rising());
   }
   bool back() {
     const Int x = form.x - form.xx;
     const Int r = form.r - x;
-    if (!at_or_right(branch, r, [this, &x] { return x + x - form.xx; })) return false;
+    if (!at_or_right(r, x)) return false;
     form.x = x;
     form.r = r;
     form.y -= form.xy;

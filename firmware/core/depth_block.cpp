@@ -12,6 +12,8 @@ namespace {
 constexpr std::int32_t largest_dot = 32767;
 constexpr std::int32_t least_rows = 8;   // of a proof
 constexpr std::int32_t most_rows = 256;  // of a block
+constexpr std::int32_t columns = 4;      // of a proof by columns
+constexpr std::int32_t column_rows = 16;
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
@@ -170,6 +172,27 @@ Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& 
   return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
 }
 
+// DepthProof::nearer on all its dots.
+int nearer_on(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
+  const Interval distance = difference(f, g, over);
+  return distance.high < 0 ? -1 : (distance.low > 0 ? 1 : 0);
+}
+
+// The same from columns, each with bounds of its own.
+int nearer_on_columns(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
+  const std::int32_t width = over.x1 - over.x0;
+  int nearer = 0;
+  for (std::int32_t i = 0; i < columns; ++i) {
+    DepthProof column = over;
+    column.x0 = static_cast<std::int16_t>(over.x0 + width * i / columns);
+    column.x1 = static_cast<std::int16_t>(over.x0 + width * (i + 1) / columns);
+    const int here = nearer_on(f, g, column);
+    if (here == 0 || here == -nearer) return 0;
+    nearer = here;
+  }
+  return nearer;
+}
+
 // How z bends along a line: -1 convex, 1 concave, 0 straight; 2: it cannot be told.
 int bend_of(const ActiveFace& face) {
   if (face.kind == FaceKind::plane) return 0;
@@ -218,9 +241,14 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
   if (f.block.error < 0 || g.block.error < 0) return proof;
-  const Interval distance = difference(f, g, proof);
-  if (distance.high < 0) proof.nearer = -1;
-  if (distance.low > 0) proof.nearer = 1;
+  proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
+  if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
+  DepthProof near = proof;
+  near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - 4));
+  near.x1 = std::min(proof.x1, static_cast<std::int16_t>(x1 + 4));
+  near.y1 = std::min(proof.y1, static_cast<std::int16_t>(y + column_rows - 1));
+  near.nearer = static_cast<std::int8_t>(nearer_on_columns(f, g, near));
+  if (near.nearer != 0) proof = near;
   return proof;
 }
 

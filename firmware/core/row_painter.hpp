@@ -1,10 +1,13 @@
-// row_painter.hpp - spans of one level become one scan line of a band: stipple words, or levels.
-// Owner   The row's words are lent for the painter's life. A gray row keeps one byte a dot in them.
+// row_painter.hpp - spans of one level become one scan line of a band: words of stipple, or of levels.
+// Row     Words of 32 bits, the leftmost dot in the most significant ones: 32 dots of a bilevel page, 4 of a gray one. So both are painted
+//         alike: a level has a pattern of 16 bits that repeats along the line.
+// Owner   The row's words are lent for the painter's life.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
+#include "firmware/core/page.hpp"
 #include "firmware/core/stipple.hpp"
 
 namespace halfspace {
@@ -17,99 +20,68 @@ constexpr std::size_t row_words(const Page& page) {
 
 class RowPainter {
  public:
+  // `patterns` of make_patterns(); a gray page needs none.
   RowPainter(const Page& page, std::span<std::uint32_t> words, std::span<const PatternRow> patterns)
       : page_(page), words_(words), patterns_(patterns) {}
 
   // Starts scan line y with background.
-  void begin(std::int32_t y) {
-    y_ = y;
-    fill(0, page_.width - 1, page_.background);
-  }
+  void begin(std::int32_t y);
   // Dots x0 .. x1, 0 <= x0 <= x1 < width, take a level.
-  void fill(std::int32_t x0, std::int32_t x1, std::int32_t level) {
-    if (page_.format == DotFormat::bilevel) {
-      BilevelRow(words_).fill(x0, x1, patterns_[static_cast<std::size_t>(level * cell_side + y_ % cell_side)]);
-    } else {
-      auto* dots = reinterpret_cast<std::uint8_t*>(words_.data());
-      for (std::int32_t x = x0; x <= x1; ++x) dots[x] = static_cast<std::uint8_t>(level);
-    }
-  }
+  void fill(std::int32_t x0, std::int32_t x1, std::int32_t level);
   // The finished line as band bytes; bytes.size() is the page's row_bytes().
-  void copy_to(std::span<std::uint8_t> bytes) const {
-    if (page_.format == DotFormat::bilevel) {
-      BilevelRow(words_).copy_to(bytes, page_.width);
-    } else {
-      const auto* dots = reinterpret_cast<const std::uint8_t*>(words_.data());
-      for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = dots[i];
-    }
-  }
+  void copy_to(std::span<std::uint8_t> bytes) const;
 
  private:
   friend class RunPainter;
   const Page& page_;
   std::span<std::uint32_t> words_;
   std::span<const PatternRow> patterns_;
-  std::int32_t y_ = 0;
+  const PatternRow* line_ = nullptr;  // by level, of the current line
 };
 
-// A span's runs of one level from left to right, cheaper than fills: the stipple word under way stays in a register, so that a
-// change of level costs some dozen instructions and dots are stored 32 at a time. Keep it a local of the loop that feeds it.
+// A span's runs of one level from left to right, cheaper than fills: the word under way stays in a register, so that a change of level
+// costs a dozen instructions and dots are stored a word at a time. Keep it a local of the loop that feeds it.
 // Order   Made with the span's first dot; change() with dots of the span that do not fall; end() once, with the last dot.
 class RunPainter {
  public:
-  RunPainter(const RowPainter& row, std::int32_t x0, std::int32_t level) : words_(row.words_.data()) {
-    if (row.page_.format == DotFormat::gray) {
-      x_ = x0;
-      word_ = static_cast<std::uint32_t>(level);
-      return;
-    }
-    patterns_ = row.patterns_.data() + row.y_ % cell_side;
-    at_ = words_ + (x0 >> 5);
-    word_ = pattern(level);
-    open_ = merged(*at_, word_, x0);
+  RunPainter(const RowPainter& row, std::int32_t x0, std::int32_t level)
+      : line_(row.line_), dot_bits_(row.page_.format == DotFormat::bilevel ? 0 : 3) {
+    const std::uint32_t at = static_cast<std::uint32_t>(x0) << dot_bits_;
+    to_ = row.words_.data() + at / 32;
+    base_ = at & ~31U;
+    open_ = *to_;
+    paint(at - base_, level);
   }
   // Dots from x on take the level.
-  void change(std::int32_t x, std::int32_t level) {
-    if (patterns_ == nullptr) return change_gray(x, level);
-    flush(words_ + (x >> 5));
-    word_ = pattern(level);
-    open_ = merged(open_, word_, x);
-  }
+  void change(std::int32_t x, std::int32_t level) { paint(reach(x), level); }
   void end(std::int32_t x1) {
-    if (patterns_ == nullptr) return change_gray(x1 + 1, 0);
-    std::uint32_t* last = words_ + (x1 >> 5);
-    flush(last);
-    const std::uint32_t beyond = 0x7fffffffU >> (x1 & 31);
-    *last = (open_ & ~beyond) | (*last & beyond);
+    const std::uint32_t beyond = 0xffffffffU >> (1U << dot_bits_) >> reach(x1);
+    *to_ = (open_ & ~beyond) | (*to_ & beyond);
   }
 
  private:
-  [[nodiscard]] std::uint32_t pattern(std::int32_t level) const {
-    const std::uint32_t p = patterns_[level * cell_side];
-    return p << 16 | p;
-  }
-  // `right` from dot x of the word on, `left` before.
-  static std::uint32_t merged(std::uint32_t left, std::uint32_t right, std::int32_t x) {
-    return left ^ ((left ^ right) & (0xffffffffU >> (x & 31)));
-  }
-  void flush(std::uint32_t* to) {
-    if (at_ >= to) return;
-    *at_++ = open_;
+  // The first bit of dot x in the word under way; the words before it are stored.
+  std::uint32_t reach(std::int32_t x) {
+    std::uint32_t bit = (static_cast<std::uint32_t>(x) << dot_bits_) - base_;
+    if (bit < 32) return bit;
+    if (static_cast<std::int32_t>(bit) < 0) return 0;  // only where a job lies
+    base_ += bit & ~31U;
+    *to_++ = open_;
+    for (; bit >= 64; bit -= 32) *to_++ = word_;
     open_ = word_;
-    while (at_ < to) *at_++ = word_;
+    return bit - 32;
   }
-  void change_gray(std::int32_t x, std::int32_t level) {
-    auto* dots = reinterpret_cast<std::uint8_t*>(words_);
-    for (; x_ < x; ++x_) dots[x_] = static_cast<std::uint8_t>(word_);
-    word_ = static_cast<std::uint32_t>(level);
+  void paint(std::uint32_t bit, std::int32_t level) {
+    word_ = line_[level] * 0x10001U;
+    open_ ^= (open_ ^ word_) & (0xffffffffU >> bit);
   }
 
-  std::uint32_t* words_;
-  const PatternRow* patterns_ = nullptr;  // of this scan line, a level `cell_side` apart; none: gray
-  std::uint32_t* at_ = nullptr;           // the word under way
-  std::uint32_t open_ = 0;                // its dots so far, and word_ from the last change on
-  std::uint32_t word_ = 0;                // the level's pattern; gray: the level
-  std::int32_t x_ = 0;                    // gray: the first dot not yet painted
+  const PatternRow* line_;  // by level
+  int dot_bits_;            // log2
+  std::uint32_t* to_;       // the word under way
+  std::uint32_t base_;      // its first bit in the row
+  std::uint32_t open_;      // its dots so far, and word_ from the last change on
+  std::uint32_t word_ = 0;  // the level's pattern
 };
 
 }  // namespace halfspace

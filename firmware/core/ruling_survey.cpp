@@ -375,11 +375,11 @@ class Survey {
   }
 
   void add(std::uint32_t tau) { add_place(arc_.place(tau)); }
-  // What lies right of there has level_. Places may be a unit too high, and a limb's is 0.
+  // What lies right of there has level_. Places may be a unit too high, and a limb's is 0; none is less than the one before.
   void add_place(std::int32_t place) {
+    last_place_ = std::clamp(place - 1, last_place_, largest_place);
     if (count_ < block_.size()) {
-      block_[count_] = static_cast<std::uint32_t>(std::max<std::int32_t>(place - 1, 0)) << entry_level_bits |
-                       static_cast<std::uint32_t>(level_);
+      block_[count_] = static_cast<std::uint32_t>(last_place_) << entry_level_bits | static_cast<std::uint32_t>(level_);
     }
     ++count_;
   }
@@ -394,6 +394,8 @@ class Survey {
   ArcLight light_{};
   std::uint32_t rim_;  // beside a ridge: a level that only touches it is sure not to be reached so far off
   std::int32_t level_ = -1, widest_ = 2;
+  std::int32_t last_place_ = 0;
+  static constexpr std::int32_t largest_place = (1 << (32 - entry_level_bits)) - 1;
   std::size_t count_ = 0;
 };
 

@@ -100,6 +100,7 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   out.reach = static_cast<std::uint32_t>(std::min<std::int64_t>(reach_bits, 0xffffffff));
   out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
   out.sure = 6 + (150 >> (f - place_bits));
+  out.sure_if_narrow = 6 + (2070 >> (f - place_bits));
   return good && out.radius <= (1 << 30) - 4;  // rho^2 stays under 2^60 with eta's error, as quick_root asks
 }
 
@@ -204,24 +205,35 @@ class SphereSpan {
     return out;
   }
 
-  // The same as far as ends are certain: the loop that most of a sphere's time goes to, without a call.
+  // The same as far as ends are certain: the loops that most of a sphere's time goes to, without a call.
   template <bool begins, bool ends>
   [[nodiscard, gnu::noinline]] std::int32_t find_plain(std::int32_t k, std::int32_t count, Interval* out) const {
     // Unsigned: where a step is more than all the light there is no second level, and the step may wrap.
-    auto bar = static_cast<std::uint64_t>(bar_of(k));
     const auto unit = static_cast<std::uint64_t>(job_.lighting.unit);
-    const std::uint64_t bar_step =
-        static_cast<std::uint64_t>(begins == is_dark() ? -c_.bar_slope : c_.bar_slope) * unit;
-    const std::int32_t unsure = 2 * c_.sure;
-    const std::int32_t base = base_ + c_.sure + one_dot - 1;
+    const auto slope = static_cast<std::uint64_t>(begins == is_dark() ? -c_.bar_slope : c_.bar_slope);
+    Bars bars{static_cast<std::uint64_t>(bar_of(k)), slope * unit, count};
+    Interval* const begin = out;
+    out = find_wider<begins, ends>(wide, c_.sure, quick_large_root, bars, out);
+    out = find_wider<begins, ends>(narrow, c_.sure_if_narrow, quick_root, bars, out);
+    return static_cast<std::int32_t>(out - begin);
+  }
+  struct Bars {
+    std::uint64_t next, step;
+    std::int32_t count;
+  };
+  // The same as far as w^2 is at least `least`, and so an end within `error`.
+  template <bool begins, bool ends>
+  [[gnu::always_inline]] Interval* find_wider(std::int64_t least, std::int32_t error, const auto& root, Bars& bars,
+                                              Interval* out) const {
+    const std::int32_t unsure = 2 * error;
+    const std::int32_t base = base_ + error + one_dot - 1;
     const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
     const std::int64_t reach = reach_;
-    std::int32_t i = 0;
-    for (; i < count; ++i, bar += bar_step) {
-      const std::int32_t c = static_cast<std::int32_t>(bar >> 32) - lift;
+    for (; bars.count > 0; --bars.count, bars.next += bars.step) {
+      const std::int32_t c = static_cast<std::int32_t>(bars.next >> 32) - lift;
       const std::int64_t w2 = reach - static_cast<std::int64_t>(c) * c;
-      if (w2 < wide) break;
-      const std::int32_t half = upper(beta, quick_large_root(static_cast<std::uint64_t>(w2)));
+      if (w2 < least) break;
+      const std::int32_t half = upper(beta, root(static_cast<std::uint64_t>(w2)));
       const std::int32_t centre = base + upper(alpha, c);
       const std::int32_t left = centre - half;
       const std::int32_t right = centre + half + 1;
@@ -233,7 +245,7 @@ class SphereSpan {
       if (behind > x1) break;
       *out++ = behind << 16 | first;
     }
-    return i;
+    return out;
   }
 
   // The first dot inside.
@@ -276,8 +288,9 @@ class SphereSpan {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(level, job_.table.ambient_level, job_.table.top_level));
   }
 
-  static constexpr std::int64_t slack = std::int64_t{1} << 35;  // error of w^2
-  static constexpr std::int64_t wide = std::int64_t{1} << 56;   // w^2 of a quarter of the radius or more
+  static constexpr std::int64_t slack = std::int64_t{1} << 35;   // error of w^2
+  static constexpr std::int64_t wide = std::int64_t{1} << 56;    // w^2 of a quarter of the radius or more
+  static constexpr std::int64_t narrow = std::int64_t{1} << 48;  // ... of a 64th
 
   const ShadeJob& job_;
   const SphereContours& c_;

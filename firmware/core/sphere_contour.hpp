@@ -19,13 +19,14 @@ struct SphereContours {
   std::int64_t bar_slope;                // t_k R = slope threshold_k 2^-32, radial
   std::int64_t level_base;               // level = (base + slope v 2^-32) 2^-16, v = R L / (|l| |N|), radial
   std::uint32_t level_slope;
-  std::int32_t radius;        // radial
-  std::int32_t middle;        // the line nearest to the centre
-  std::int32_t a, b, c;       // 2^30
-  std::uint32_t reach;        // A 2^32
-  std::int32_t alpha, beta;   // a / A and |b| / A, places a radial unit 2^32
-  std::int32_t sure;          // error of a crossing where w >= wide, in places
-  std::uint8_t fraction = 0;  // f; 0: not made
+  std::int32_t radius;          // radial
+  std::int32_t middle;          // the line nearest to the centre
+  std::int32_t a, b, c;         // 2^30
+  std::uint32_t reach;          // A 2^32
+  std::int32_t alpha, beta;     // a / A and |b| / A, places a radial unit 2^32
+  std::int32_t sure;            // error of a crossing where w >= wide, in places
+  std::int32_t sure_if_narrow;  // ... where w >= narrow
+  std::uint8_t fraction = 0;    // f; 0: not made
 };
 
 }  // namespace halfspace

@@ -46,8 +46,6 @@ constexpr std::uint8_t bayer_rank(std::int32_t x, std::int32_t y) {
   return static_cast<std::uint8_t>(rank);
 }
 
-constexpr std::uint32_t repeat(PatternRow pattern) { return static_cast<std::uint32_t>(pattern) << 16 | pattern; }
-
 }  // namespace
 
 std::uint8_t screen_rank(Screen screen, std::int32_t x, std::int32_t y) {
@@ -69,42 +67,9 @@ void make_patterns(Screen screen, std::int32_t levels, std::span<PatternRow> row
       const std::int32_t inked = inked_dots(k, levels);
       unsigned row = 0;
       for (const std::uint8_t rank : ranks) row = row << 1 | (rank < inked ? 1U : 0U);
-      rows[static_cast<std::size_t>(k * cell_side + y)] = static_cast<PatternRow>(row);
+      rows[static_cast<std::size_t>(y * levels + k)] = static_cast<PatternRow>(row);
     }
   }
-}
-
-void BilevelRow::fill(std::int32_t x0, std::int32_t x1, PatternRow pattern) {
-  const std::uint32_t word = repeat(pattern);
-  const std::int32_t first = x0 / 32;
-  const std::int32_t last = x1 / 32;
-  const std::uint32_t left = 0xffffffffU >> (x0 % 32);
-  const std::uint32_t right = 0xffffffffU << (31 - x1 % 32);
-  const auto put = [&](std::int32_t i, std::uint32_t mask) { words_[i] = (words_[i] & ~mask) | (word & mask); };
-  if (first == last) {
-    put(first, left & right);
-    return;
-  }
-  put(first, left);
-  for (std::int32_t i = first + 1; i < last; ++i) words_[i] = word;
-  put(last, right);
-}
-
-// Four bytes at once: compilers make one store of them where the machine allows it.
-void BilevelRow::copy_to(std::span<std::uint8_t> bytes, std::int32_t width) const {
-  std::uint8_t* to = bytes.data();
-  const std::size_t whole = bytes.size() / 4;
-  for (const std::uint32_t word : words_.first(whole)) {
-    to[0] = static_cast<std::uint8_t>(word >> 24);
-    to[1] = static_cast<std::uint8_t>(word >> 16);
-    to[2] = static_cast<std::uint8_t>(word >> 8);
-    to[3] = static_cast<std::uint8_t>(word);
-    to += 4;
-  }
-  for (std::size_t i = 4 * whole; i < bytes.size(); ++i) {
-    bytes[i] = static_cast<std::uint8_t>(words_[whole] >> (24 - i % 4 * 8));
-  }
-  if (width % 8 != 0) bytes.back() &= static_cast<std::uint8_t>(0xff00U >> (width % 8));
 }
 
 }  // namespace halfspace

@@ -7,6 +7,7 @@
 // Memory   32 bytes a level for the patterns of a page; the rank tables are constants.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -25,23 +26,17 @@ constexpr std::int32_t inked_dots(std::int32_t k, std::int32_t levels) {
 // One row of a cell as a pattern; bit 15 is the leftmost dot.
 using PatternRow = std::uint16_t;
 
-// rows[k * 16 + y % 16]: the pattern of level k on scan line y. `rows` must hold levels * 16 entries.
+// rows[y % 16 * levels + k]: the pattern of level k on scan line y. `rows` must hold levels * 16 entries.
 void make_patterns(Screen screen, std::int32_t levels, std::span<PatternRow> rows);
+
+// The same of a page whose dots have levels themselves, of 8 bits.
+inline constexpr std::array<PatternRow, 256> tones = [] {
+  std::array<PatternRow, 256> table{};
+  for (unsigned k = 0; k < 256; ++k) table[k] = static_cast<PatternRow>(0x101 * k);
+  return table;
+}();
 
 // The rank of a dot in its cell, 0 .. 255: inked at level k when rank < inked_dots(k).
 [[nodiscard]] std::uint8_t screen_rank(Screen screen, std::int32_t x, std::int32_t y);
-
-// One scan line of a bilevel band, filled 32 dots at a time; bit 31 of word 0 is dot 0.
-class BilevelRow {
- public:
-  explicit BilevelRow(std::span<std::uint32_t> words) : words_(words) {}
-  // Dots x0 .. x1 take the pattern. Cost: a store for every 32 dots.
-  void fill(std::int32_t x0, std::int32_t x1, PatternRow pattern);
-  // The row's bytes, leftmost dot in the most significant bit; dots from `width` on are 0.
-  void copy_to(std::span<std::uint8_t> bytes, std::int32_t width) const;
-
- private:
-  std::span<std::uint32_t> words_;
-};
 
 }  // namespace halfspace

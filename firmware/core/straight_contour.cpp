@@ -30,27 +30,22 @@ class StraightSpan {
     // An entry's level counts as less than a unit of p.
     const std::int32_t unit = static_cast<std::int32_t>(width >> 24) + 1;
     const std::int32_t entry = upper(static_cast<std::uint32_t>(s_.entry_width) << 8, width_) + 1;
-    unsure_ = entry + unit + 6;
+    blur_ = entry + 6;
+    unsure_ = blur_ + unit;
     base_ = static_cast<std::int32_t>(left) + 4 + entry;
-    is_usable_ = unsure_ < one_dot / 8 && (x0 << place_bits) >= end_of(0) - unsure_ &&
-                 (x1 << place_bits) <= end_of(s_.entries - 1);
+    is_usable_ = unsure_ < one_dot / 8 && (x0 << place_bits) >= place_of(entries_[0]) - unsure_ &&
+                 (x1 << place_bits) <= place_of(entries_[s_.entries - 1]);
   }
   // The rulings of the whole span have been surveyed.
   [[nodiscard]] bool is_usable() const { return is_usable_; }
 
   void paint() {
-    std::int32_t i = 0;
-    for (std::int32_t end = s_.entries; i < end;) {
-      const std::int32_t middle = i + (end - i) / 2;
-      (end_of(middle) < x0_ << place_bits ? i : end) = end_of(middle) < x0_ << place_bits ? middle + 1 : middle;
-    }
-    level_ = level_of(entries_[i > 0 ? i - 1 : 0]);
-    from_ = x0_;
-    RunPainter run(job_.painter, x0_, level_);
-    for (i = paint_certain(run, i); i < s_.entries; i = paint_certain(run, i + 1)) ask(run, i);
-    if (from_ <= x1_) run.change(from_, level_);
+    const std::int32_t from = first_from(x0_ << place_bits);
+    const std::int32_t end = first_from((x1_ << place_bits) + blur_ + 1);
+    RunPainter run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
+    for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) ask(run, i);
     run.end(x1_);
-    job_.counters.level_spans += runs_;
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
   }
 
  private:
@@ -60,53 +55,47 @@ class StraightSpan {
   static std::int32_t upper(std::uint32_t a, std::uint32_t b) {
     return static_cast<std::int32_t>(std::uint64_t{a} * b >> 32);
   }
-  // From there on an entry's level holds.
-  [[nodiscard]] std::int32_t end_of(std::int32_t i) const { return base_ + upper(entries_[i], width_); }
-
-  // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or their
-  // number.
-  [[nodiscard]] std::int32_t paint_certain(RunPainter& painter, std::int32_t i) {
-    RunPainter run = painter;
-    std::int32_t from = from_, level = level_;
-    std::uint32_t runs = runs_;
-    const std::int32_t base = base_, unsure = unsure_, x1 = x1_, end = s_.entries;
-    const std::uint32_t width = width_;
-    const std::uint32_t* const entries = entries_;
-    for (; i < end; ++i) {
-      const std::uint32_t entry = entries[i];
-      const std::int32_t at = base + upper(entry, width);
-      if ((at & (one_dot - 1)) <= unsure) break;
-      const std::int32_t x = (at >> place_bits) + 1;
-      if (x > from) {
-        if (x > x1) {
-          i = end;
-          break;
-        }
-        run.change(from, level);
-        ++runs;
-        from = x;
-      }
-      level = level_of(entry);
+  // From there on an entry's level holds; what its low bits add is in unsure_.
+  [[nodiscard]] std::int32_t place_of(std::uint32_t entry) const { return base_ + upper(entry, width_); }
+  // The first entry whose level holds only from `place` on or later. Without their low bits entries are in order.
+  [[nodiscard]] std::int32_t first_from(std::int32_t place) const {
+    std::int32_t i = 0;
+    for (std::int32_t end = s_.entries; i < end;) {
+      const std::int32_t middle = i + (end - i) / 2;
+      const bool is_before = place_of(entries_[middle] >> entry_level_bits << entry_level_bits) < place;
+      (is_before ? i : end) = is_before ? middle + 1 : middle;
     }
-    painter = run;
-    from_ = from;
-    level_ = level;
-    runs_ = runs;
     return i;
   }
 
-  // Entry i, which may change the level on either side of a dot.
+  // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or the end.
+  [[nodiscard]] std::int32_t paint_certain(RunPainter& painter, std::int32_t i, std::int32_t end) const {
+    RunPainter run = painter;
+    const std::int32_t base = base_ + one_dot, unsure = unsure_;
+    const std::uint32_t width = width_;
+    const std::uint32_t* const last = entries_ + end;
+    const std::uint32_t* at = entries_ + i;
+    for (; at != last; ++at) {
+      const std::int32_t place = base + upper(*at, width);
+      if ((place & (one_dot - 1)) <= unsure) break;
+      run.change(place >> place_bits, level_of(*at));
+    }
+    painter = run;
+    return static_cast<std::int32_t>(at - entries_);
+  }
+
+  // Entry i, which may change the level on either side of a dot; the dot may have been asked for another entry's sake.
   [[gnu::noinline]] void ask(RunPainter& run, std::int32_t i) {
-    const std::int32_t x = end_of(i) >> place_bits;
-    if (x >= from_ && x <= x1_) {
-      if (x > from_) run.change(from_, level_);
-      level_ = search_level(job_.table, level_, [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
-      run.change(x, level_);
-      from_ = x + 1;
-      runs_ += 2;
+    const std::int32_t x = place_of(entries_[i]) >> place_bits;
+    if (x != asked_) {
+      const std::int32_t level = search_level(job_.table, level_of(entries_[i]),
+                                              [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
+      run.change(x, level);
+      asked_ = x;
+      ++job_.counters.level_spans;
       ++job_.counters.intensities;
     }
-    if (x <= x1_) level_ = level_of(entries_[i]);
+    if (x < x1_) run.change(x + 1, level_of(entries_[i]));
   }
 
   const ShadeJob& job_;
@@ -116,8 +105,8 @@ class StraightSpan {
   bool is_usable_ = false;
   std::uint32_t width_ = 0;             // of the rulings surveyed, on this line
   std::int32_t base_ = 0, unsure_ = 0;  // of where an entry's level holds for sure, and by how much less it may
-  std::int32_t from_ = 0, level_ = 0;   // from that dot on that level, not shown yet
-  std::uint32_t runs_ = 1;
+  std::int32_t blur_ = 0;               // unsure_ of an entry without its low bits
+  std::int32_t asked_ = -1;             // the dot last asked for
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(Stipple, EveryLevelOfEveryScreenHasItsDensity) {
       const auto rows = patterns_of(screen, levels);
       for (std::int32_t k = 0; k < levels; ++k) {
         int inked = 0;
-        for (int y = 0; y < cell_side; ++y) inked += std::popcount(rows[static_cast<std::size_t>(k * cell_side + y)]);
+        for (int y = 0; y < cell_side; ++y) inked += std::popcount(rows[static_cast<std::size_t>(y * levels + k)]);
         // round(256 (N - 1 - k) / (N - 1)): within half of the quotient, halves up.
         const int twice_error = 2 * inked * (levels - 1) - 2 * cell_dots * (levels - 1 - k);
         ASSERT_LE(twice_error, levels - 1)
@@ -44,10 +44,11 @@ TEST(Stipple, ADarkerPatternContainsEveryLighterOne) {
   for (const Screen screen : screens) {
     for (const std::int32_t levels : {2, 3, 17, 65, 256}) {
       const auto rows = patterns_of(screen, levels);
-      for (std::size_t i = cell_side; i < rows.size(); ++i) ASSERT_EQ(rows[i] & ~rows[i - cell_side], 0);
+      const auto n = static_cast<std::size_t>(levels);
       for (std::size_t y = 0; y < cell_side; ++y) {
-        ASSERT_EQ(rows[y], 0xffff) << "level 0 is black";
-        ASSERT_EQ(rows[rows.size() - 1 - y], 0) << "the highest level is white";
+        for (std::size_t k = 1; k < n; ++k) ASSERT_EQ(rows[y * n + k] & ~rows[y * n + k - 1], 0);
+        ASSERT_EQ(rows[y * n], 0xffff) << "level 0 is black";
+        ASSERT_EQ(rows[y * n + n - 1], 0) << "the highest level is white";
       }
     }
   }
@@ -111,32 +112,95 @@ TEST(Stipple, BlueNoiseHasNoTwoEarlyDotsSideBySide) {
   }
 }
 
-TEST(BilevelRow, FillsTheSameDotsAsOneByOne) {
-  constexpr PatternRow pattern = 0b1011000111010010;
-  constexpr int width = 101;
-  for (int x0 = 0; x0 < width; ++x0) {
-    for (int x1 = x0; x1 < width; ++x1) {
-      for (const std::uint32_t before : {0U, 0xffffffffU}) {
-        std::array<std::uint32_t, 5> words;
-        words.fill(before);
-        BilevelRow(std::span(words).first(4)).fill(x0, x1, pattern);
-        for (int x = 0; x < 128; ++x) {
-          const bool expected = x < x0 || x > x1 ? before != 0 : (pattern >> (15 - x % 16) & 1) != 0;
-          ASSERT_EQ((words[static_cast<std::size_t>(x / 32)] >> (31 - x % 32) & 1) != 0, expected)
-              << x0 << ".." << x1 << " at " << x;
+// Rows of a page under test: level k of 256 has the pattern 257 k, and a gray dot its level.
+std::vector<PatternRow> same_on_every_line(const Page& page) {
+  std::vector<PatternRow> rows(static_cast<std::size_t>(page.levels) * cell_side);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = tones[i % static_cast<std::size_t>(page.levels)];
+  return rows;
+}
+
+// What a band shows at dot x where a row has the level.
+unsigned shown(const Page& page, std::int32_t x, std::int32_t level) {
+  return page.format == DotFormat::gray ? static_cast<unsigned>(level)
+                                        : static_cast<unsigned>(level) >> (7 - x % 8) & 1U;
+}
+unsigned dot_of(const Page& page, const std::vector<std::uint8_t>& bytes, std::int32_t x) {
+  if (page.format == DotFormat::gray) return bytes[static_cast<std::size_t>(x)];
+  return bytes[static_cast<std::size_t>(x / 8)] >> (7 - x % 8) & 1U;
+}
+
+constexpr Page bilevel_page{101, 1, DotFormat::bilevel, 256, 0x35};
+constexpr Page gray_page{101, 1, DotFormat::gray, 256, 0x35};
+
+TEST(RowPainter, FillsTheSameDotsAsOneByOne) {
+  for (const Page& page : {bilevel_page, gray_page}) {
+    const auto rows = same_on_every_line(page);
+    std::vector<std::uint32_t> words(row_words(page) + 1, 0x12345678);
+    std::vector<std::uint8_t> bytes(page.row_bytes());
+    RowPainter painter(page, std::span(words).first(row_words(page)), rows);
+    for (std::int32_t x0 = 0; x0 < page.width; ++x0) {
+      for (std::int32_t x1 = x0; x1 < page.width; ++x1) {
+        painter.begin(0);
+        painter.fill(x0, x1, 0xc9);
+        painter.copy_to(bytes);
+        for (std::int32_t x = 0; x < page.width; ++x) {
+          const std::int32_t level = x < x0 || x > x1 ? page.background : 0xc9;
+          ASSERT_EQ(dot_of(page, bytes, x), shown(page, x, level)) << x0 << ".." << x1 << " at " << x;
         }
-        ASSERT_EQ(words[4], before) << "the word behind the row";
+        ASSERT_EQ(words.back(), 0x12345678U) << "the word behind the row";
       }
     }
   }
 }
 
-TEST(BilevelRow, CopiesLeftmostDotFirstAndClearsSpareBits) {
+// Runs of one dot and of several words, none at all, and two changes at one dot.
+TEST(RunPainter, PaintsTheSameDotsAsFills) {
+  constexpr std::array<std::int32_t, 16> steps{1, 0, 2, 31, 1, 0, 0, 33, 1, 1, 64, 3, 0, 96, 5, 2};
+  for (const DotFormat format : {DotFormat::bilevel, DotFormat::gray}) {
+    const Page page{400, 1, format, 256, 0x35};
+    const auto rows = same_on_every_line(page);
+    std::vector<std::uint32_t> words(row_words(page));
+    std::vector<std::uint8_t> bytes(page.row_bytes());
+    RowPainter painter(page, words, rows);
+    for (std::int32_t x0 = 0; x0 < 70; ++x0) {
+      for (std::size_t first = 0; first < steps.size(); ++first) {
+        std::vector<std::int32_t> levels(static_cast<std::size_t>(page.width), page.background);
+        const auto take = [&levels](std::int32_t x, std::int32_t end, std::int32_t level) {
+          for (; x < end; ++x) levels[static_cast<std::size_t>(x)] = level;
+        };
+        painter.begin(0);
+        RunPainter run(painter, x0, 7);
+        std::int32_t x = x0;
+        std::int32_t level = 7;
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+          const std::int32_t next = x + steps[(first + i) % steps.size()];
+          take(x, next, level);
+          x = next;
+          level = static_cast<std::int32_t>(37 * i + first) % 256;
+          run.change(x, level);
+        }
+        run.end(x + 2);
+        take(x, x + 3, level);
+        painter.copy_to(bytes);
+        for (std::int32_t dot = 0; dot < page.width; ++dot) {
+          ASSERT_EQ(dot_of(page, bytes, dot), shown(page, dot, levels[static_cast<std::size_t>(dot)]))
+              << "from " << x0 << " by " << first << " at " << dot;
+        }
+      }
+    }
+  }
+}
+
+TEST(RowPainter, CopiesLeftmostDotFirstAndClearsSpareBits) {
   for (std::int32_t width = 1; width <= 100; ++width) {
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(width + 31) / 32, 0xffffffffU);
-    words[0] ^= 0x40000000U;  // dot 1 is paper
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width + 7) / 8, 0xaa);
-    BilevelRow(words).copy_to(bytes, width);
+    const Page page{width, 1, DotFormat::bilevel, 256, 0xff};
+    const auto rows = same_on_every_line(page);
+    std::vector<std::uint32_t> words(row_words(page));
+    std::vector<std::uint8_t> bytes(page.row_bytes(), 0xaa);
+    RowPainter painter(page, words, rows);
+    painter.begin(0);
+    if (width > 1) painter.fill(1, 1, 0);  // dot 1 is paper
+    painter.copy_to(bytes);
     for (std::size_t x = 0; x < bytes.size() * 8; ++x) {
       const bool inked = x < static_cast<std::size_t>(width) && x != 1;
       ASSERT_EQ((bytes[x / 8] >> (7 - x % 8) & 1) != 0, inked) << "dot " << x << " of " << width;

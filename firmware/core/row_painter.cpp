@@ -1,0 +1,30 @@
+#include "firmware/core/row_painter.hpp"
+
+namespace halfspace {
+
+void RowPainter::begin(std::int32_t y) {
+  line_ = page_.format == DotFormat::bilevel ? patterns_.data() + y % cell_side * page_.levels : tones.data();
+  fill(0, page_.width - 1, page_.background);
+}
+
+void RowPainter::fill(std::int32_t x0, std::int32_t x1, std::int32_t level) { RunPainter(*this, x0, level).end(x1); }
+
+// Four bytes at once: compilers make one store of them where the machine allows it.
+void RowPainter::copy_to(std::span<std::uint8_t> bytes) const {
+  std::uint8_t* to = bytes.data();
+  const std::size_t whole = bytes.size() / 4;
+  for (const std::uint32_t word : words_.first(whole)) {
+    to[0] = static_cast<std::uint8_t>(word >> 24);
+    to[1] = static_cast<std::uint8_t>(word >> 16);
+    to[2] = static_cast<std::uint8_t>(word >> 8);
+    to[3] = static_cast<std::uint8_t>(word);
+    to += 4;
+  }
+  for (std::size_t i = 4 * whole; i < bytes.size(); ++i) {
+    bytes[i] = static_cast<std::uint8_t>(words_[whole] >> (24 - i % 4 * 8));
+  }
+  const bool has_spare_bits = page_.format == DotFormat::bilevel && page_.width % 8 != 0;
+  if (has_spare_bits) bytes.back() &= static_cast<std::uint8_t>(0xff00U >> (page_.width % 8));
+}
+
+}  // namespace halfspace
