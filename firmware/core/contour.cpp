@@ -38,7 +38,7 @@ struct Ways {
 constexpr Ways ways =
     limb_bits == 32
         ? Ways{{5200, 285, 200, 23}, {2750, 10, 250, 13}, {650, 0, 77, 77}, {400, 0, 44, 44}, 12000, 15500, 40000, 3000}
-        : Ways{{300, 25, 30, 3}, {480, 3, 145, 2}, {155, 0, 13, 13}, {80, 0, 5, 5}, 1500, 1500, 6000, 330};
+        : Ways{{300, 25, 30, 3}, {480, 3, 145, 2}, {155, 0, 13, 13}, {80, 0, 5, 5}, 1500, 1500, 9000, 330};
 
 // Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
 std::int32_t levels_met(const ShadeJob& job, std::int32_t n) {

@@ -63,8 +63,8 @@ class SpanTracer {
   };
   [[nodiscard]] Piece next_piece(const Stop& a, Stop& b) const;
   [[nodiscard]] bool keeps_level(const LevelDot& a, const LevelDot& b) const;
-  void dot_by_dot(const Stop& from, const Stop& to);
-  void step_over(const Stop& from, const Stop& to);
+  void dot_by_dot(const LevelDot& from, const LevelDot& to);
+  void step_over(const LevelDot& from, const LevelDot& to);
   void dot(const LevelDot& dot);
   struct RidgeStop {
     std::int32_t t;
@@ -72,6 +72,7 @@ class SpanTracer {
   };
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
+  [[nodiscard]] std::int32_t chord_width(const LevelDot& a, const LevelDot& b) const;
   void monotone(LevelDot a, const LevelDot& b, bool rising);
   [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                       const LevelPlace& place) const;
@@ -113,14 +114,14 @@ void SpanTracer::dot(const LevelDot& dot) {
 }
 
 // Each dot after `from` up to `to` for itself.
-void SpanTracer::dot_by_dot(const Stop& from, const Stop& to) {
-  for (std::int32_t t = from.dot.t + 1; t < to.dot.t; ++t) dot(level_dot(t));
-  dot(to.dot);
+void SpanTracer::dot_by_dot(const LevelDot& from, const LevelDot& to) {
+  for (std::int32_t t = from.t + 1; t < to.t; ++t) dot(level_dot(t));
+  dot(to);
 }
 
 // On from `from` to `to`, where the course is not known.
-void SpanTracer::step_over(const Stop& from, const Stop& to) {
-  if (to.dot.t - from.dot.t == 1 || !keeps_level(from.dot, to.dot)) dot_by_dot(from, to);
+void SpanTracer::step_over(const LevelDot& from, const LevelDot& to) {
+  if (to.t - from.t == 1 || !keeps_level(from, to)) dot_by_dot(from, to);
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
@@ -153,13 +154,13 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
 
 void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
   const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
-  const Stop left = first.t == a.dot.t ? a : stop_at(first.t);
-  monotone(a.dot, left.dot, a.ridge.sign() > 0);
+  const LevelDot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
+  monotone(a.dot, left, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
-  const Stop right = last.t == b.dot.t ? b : stop_at(last.t);
+  const LevelDot right = last.t == b.dot.t ? b.dot : level_dot(last.t);
   step_over(left, right);
-  monotone(right.dot, b.dot, b.ridge.sign() > 0);
+  monotone(right, b.dot, b.ridge.sign() > 0);
 }
 
 // The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
@@ -176,9 +177,18 @@ inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32
 std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
-    (reaches(level_dot(middle), k) == rising ? from : before) = middle;
+    const Answer answer = line_.reaches(middle, job_.table.squares[static_cast<std::size_t>(k)]);
+    const bool yes = answer == Answer::unsure ? settle(middle, k) : answer == Answer::yes;
+    (yes == rising ? from : before) = middle;
   }
   return from;
+}
+
+// Of the next chord from a. Where s halves before the end, that is a limb, and no chord ends there.
+std::int32_t SpanTracer::chord_width(const LevelDot& a, const LevelDot& b) const {
+  const std::int32_t rest = b.t - a.t;
+  if (rest > 1 && rest < 2 * chord_ && (a.s / 2 > b.s || b.s / 2 > a.s)) return rest / 2;
+  return rest <= chord_ + chord_ / 2 ? rest : chord_;
 }
 
 // From a to b, where levels only rise or fall. A lead is F where they rise, -F where they fall: it goes up.
@@ -198,53 +208,52 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   };
   const Lead lead_b = b.lead(sign);
   Lead lead_a = a.lead(sign);
-  while (is_beyond(b, lead_b.of(bar))) {
+  std::int32_t at_a = lead_a.of(bar);
+  bool more = is_beyond(b, lead_b.of(bar));
+  while (more) {
     const std::int32_t rest = b.t - a.t;
-    const std::int32_t width = rest <= chord_ + chord_ / 2 ? rest : chord_;
+    const std::int32_t width = chord_width(a, b);
     const LevelDot c = width == rest ? b : level_dot(a.t + width);
     const Lead lead_c = c.lead(sign);
-    std::int32_t lead = lead_c.of(bar);
-    if (!is_beyond(c, lead)) {
-      chord_ = std::min(2 * width, longest_half);
-      a = c;
-      lead_a = lead_c;
-      continue;
-    }
-    if (width == 1) {  // all boundaries between them are one
+    std::int32_t at_c = lead_c.of(bar);
+    if (!is_beyond(c, at_c)) {
+      chord_ = std::min(width + width / 4 + 1, longest_half);
+    } else if (width == 1) {  // all boundaries between them are one
       const std::int32_t before = k;
       do {
         k += sign;
         bar += bar_step;
-      } while (is_beyond(c, lead_c.of(bar)));
+        at_c = lead_c.of(bar);
+      } while (is_beyond(c, at_c));
       painter_.change(line_.middle() + c.t, k - sign - below);
       if (k - before == sign) chord_ = 2;
-      a = c;
-      lead_a = lead_c;
-      continue;
-    }
-    if (is_crowded(lead_c, width)) {
+      more = is_beyond(b, lead_b.of(bar));
+    } else if (is_crowded(lead_c, width)) {
       chord_ = 1;
       continue;
-    }
-    LevelChord chord(line_, a, c);
-    if (!rising) chord.mirror();
-    LevelPlace place = chord.place(bar, lead_a.of(bar), lead);
-    if (width > 2 && place.error > coarse) {
-      chord_ = width / 2;
-      continue;
-    }
-    chord_ = place.error < fine ? 2 * width : width;
-    const std::int32_t middle = line_.middle();
-    for (;;) {
-      painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
-      k += sign;
-      bar += bar_step;
-      lead = lead_c.of(bar);
-      if (!is_beyond(c, lead)) break;
-      place = chord.place(bar, lead_a.of(bar), lead);
+    } else {
+      LevelChord chord(line_, a, c);
+      if (!rising) chord.mirror();
+      LevelPlace place = chord.place(bar, at_a, at_c);
+      if (width > 2 && place.error > coarse) {
+        chord_ = width / 2;
+        continue;
+      }
+      chord_ = 4 * c.s < 3 * a.s ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
+      const std::int32_t middle = line_.middle();
+      for (;;) {
+        painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
+        k += sign;
+        bar += bar_step;
+        at_c = lead_c.of(bar);
+        if (!is_beyond(c, at_c)) break;
+        place = chord.place(bar, lead_a.of(bar), at_c);
+      }
+      more = width != rest && is_beyond(b, lead_b.of(bar));
     }
     a = c;
     lead_a = lead_c;
+    at_a = at_c;
   }
   job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
   level_ = rising ? k - 1 : k;
@@ -277,7 +286,7 @@ void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
     } else if (piece.course != Course::unsure) {
       monotone(a.dot, b.dot, a.ridge.sign() > 0);
     } else if (!piece.level) {
-      dot_by_dot(a, b);
+      dot_by_dot(a.dot, b.dot);
     }
     a = b;
   }

@@ -66,22 +66,32 @@ class LineSection {
     ShortDot dot;
     dot.s = root(t);
     dot.r = r_.linear(tau(t));
-    dot.l = l_.linear(tau(t)) + product(forms_.m, dot.s, 30);
-    dot.square = q_.at(tau(t)) + product(dot.r, dot.s, 28);
+    dot.l = l_.linear(tau(t)) + (high_product(forms_.m, dot.s << 1) << 1);
+    dot.square = q_.at(tau(t)) + high_product(dot.r << 3, dot.s << 1);
     dot.root_error = root_error(dot.s);
     dot.light_error = dot.root_error * forms_.m_size + 22;
     dot.square_error = dot.root_error + 118;
     return dot;
   }
 
+  // Whether a dot reaches a level, by its entry in LevelTable::squares: by L^2, T^2 |N|^2 in units of 2^56, without a root for |N|.
+  [[nodiscard, gnu::always_inline]] Answer reaches(std::int32_t t, std::uint32_t square) const {
+    const ShortDot at = dot(t);
+    if (at.l <= at.light_error) return at.l < -at.light_error ? Answer::no : Answer::unsure;
+    const auto l = static_cast<std::uint32_t>(at.l);
+    const auto light_error = static_cast<std::uint32_t>(at.light_error);
+    const auto normal = static_cast<std::uint32_t>(std::max<std::int32_t>(at.square, 0));
+    const auto lead = static_cast<std::int64_t>(std::uint64_t{l} * l - (std::uint64_t{normal} * square >> 4));
+    // The level's square is rounded, as is its product.
+    const auto margin =
+        static_cast<std::int64_t>(std::uint64_t{2 * l + light_error} * light_error +
+                                  (std::uint64_t{static_cast<std::uint32_t>(at.square_error)} << 28) + normal);
+    return lead > margin ? Answer::yes : lead < -margin ? Answer::no : Answer::unsure;
+  }
+
   [[nodiscard]] const SectionForms& forms() const { return forms_; }
 
  private:
-  // a b 2^-shift, below 2^31.
-  static std::int32_t product(std::int32_t a, std::int32_t b, int shift) {
-    return static_cast<std::int32_t>(std::int64_t{a} * b >> shift);
-  }
-
   const SectionForms& forms_;
   int tau_shift_;
   ShortPolynomial d_, q_, r_, l_;
