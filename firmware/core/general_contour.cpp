@@ -90,8 +90,8 @@ class SpanTracer {
   LineSection line_;
   RidgeForm ridge_;
   RunPainter painter_;
-  std::int32_t level_ = 0;  // so far
-  std::int32_t chord_ = first_chord;
+  std::int32_t level_ = 0;            // so far
+  std::int32_t chord_ = first_chord;  // the next one's width, if it may be
 };
 
 // Both, and all dots between them, have the level so far.
@@ -184,7 +184,7 @@ std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_
   return from;
 }
 
-// Of the next chord from a. Where s halves before the end, that is a limb, and no chord ends there.
+// Of the next chord from a. Where s halves before the end, that is a limb, and a chord into it would be cut (level_chord.cpp).
 std::int32_t SpanTracer::chord_width(const LevelDot& a, const LevelDot& b) const {
   const std::int32_t rest = b.t - a.t;
   if (rest > 1 && rest < 2 * chord_ && (a.s / 2 > b.s || b.s / 2 > a.s)) return rest / 2;
@@ -239,7 +239,8 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
         chord_ = width / 2;
         continue;
       }
-      chord_ = 4 * c.s < 3 * a.s ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
+      const bool nears_limb = c.s < a.s - a.s / 4;
+      chord_ = nears_limb ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
       const std::int32_t middle = line_.middle();
       for (;;) {
         painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);

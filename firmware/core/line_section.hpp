@@ -53,10 +53,9 @@ class LineSection {
   [[nodiscard]] std::int32_t middle() const { return forms_.middle; }
   [[nodiscard]] std::int32_t tau(std::int32_t t) const { return t << tau_shift_; }  // of 2^31 parts
 
-  // s alone.
+  // s alone. Where D is told to be 0 or less it is below 41 units, so that the root of one, 2^14, errs by less than root_error(0).
   [[nodiscard, gnu::always_inline]] std::int32_t root(std::int32_t t) const {
-    const std::int32_t d = d_.at(tau(t));
-    return d > 0 ? short_root(d) : 0;
+    return short_root(std::max<std::int32_t>(d_.at(tau(t)), 1));
   }
   // Off by the root's 3 and by 41 2^28 / s, or at most by the root of 41 2^28, 409 2^8; the rest is for cut quotients.
   [[nodiscard]] static std::int32_t root_error(std::int32_t s) {
