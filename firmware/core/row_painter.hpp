@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "firmware/core/page.hpp"
 #include "firmware/core/stipple.hpp"
@@ -31,8 +32,11 @@ class RowPainter {
   // The finished line as band bytes; bytes.size() is the page's row_bytes().
   void copy_to(std::span<std::uint8_t> bytes) const;
 
+  [[nodiscard]] bool is_bilevel() const { return page_.format == DotFormat::bilevel; }
+
  private:
-  friend class RunPainter;
+  template <class DotBits>
+  friend class Runs;
   const Page& page_;
   std::span<std::uint32_t> words_;
   std::span<const PatternRow> patterns_;
@@ -42,10 +46,11 @@ class RowPainter {
 // A span's runs of one level from left to right, cheaper than fills: the word under way stays in a register, so that a change of level
 // costs a dozen instructions and dots are stored a word at a time. Keep it a local of the loop that feeds it.
 // Order   Made with the span's first dot; change() with dots of the span that do not fall; end() once, with the last dot.
-class RunPainter {
+template <class DotBits>  // log2 of a dot's bits, if it is known when compiled
+class Runs {
  public:
-  RunPainter(const RowPainter& row, std::int32_t x0, std::int32_t level)
-      : line_(row.line_), dot_bits_(row.page_.format == DotFormat::bilevel ? 0 : 3) {
+  Runs(const RowPainter& row, std::int32_t x0, std::int32_t level) : line_(row.line_) {
+    if constexpr (std::is_same_v<DotBits, int>) dot_bits_ = row.is_bilevel() ? 0 : 3;
     const std::uint32_t at = static_cast<std::uint32_t>(x0) << dot_bits_;
     to_ = row.words_.data() + at / 32;
     base_ = at & ~31U;
@@ -77,11 +82,13 @@ class RunPainter {
   }
 
   const PatternRow* line_;  // by level
-  int dot_bits_;            // log2
+  [[no_unique_address]] DotBits dot_bits_{};
   std::uint32_t* to_;       // the word under way
   std::uint32_t base_;      // its first bit in the row
   std::uint32_t open_;      // its dots so far, and word_ from the last change on
   std::uint32_t word_ = 0;  // the level's pattern
 };
+using RunPainter = Runs<int>;
+using BilevelRuns = Runs<std::integral_constant<int, 0>>;
 
 }  // namespace halfspace

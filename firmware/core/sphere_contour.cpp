@@ -137,27 +137,36 @@ class SphereSpan {
     const std::int32_t beyond = is_dark() ? job_.table.ambient_level : job_.table.top_level + 1;
     const std::int32_t rise = (kb - ka) * step;
     std::int32_t k = ka + 1 + shift;
-    RunPainter run(job_.painter, x0_, ka);
-    // Intervals that the last dot lies in, but not the first, begin in the span; then come those inside it, nested.
-    Interval* const first = job_.scratch.data();
-    Interval* const nested = find<true, false>(k, std::max<std::int32_t>(rise, 0), first);
-    k += static_cast<std::int32_t>(nested - first) * step;
-    Interval* const last = find<true, true>(k, std::max<std::int32_t>((beyond - k) * step, 0), nested);
-    std::int32_t level = ka;
-    for (const Interval* at = first; at != last; ++at) run.change(*at & 0x7fff, level += step);
-    for (const Interval* at = last; at != nested;) run.change(*--at >> 16, level -= step);
-    // Intervals that the first dot lies in, but not the last, end in the span.
-    Interval* const end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), first);
-    for (const Interval* at = first; at != end; ++at) run.change(*at >> 16, level -= step);
-    run.end(x1_);
-    job_.counters.level_spans += static_cast<std::uint32_t>(1 + 2 * (last - nested) + (rise < 0 ? -rise : rise));
+    Intervals found;
+    found.beginning = job_.scratch.data();
+    found.nested = find<true, false>(k, std::max<std::int32_t>(rise, 0), found.beginning);
+    k += static_cast<std::int32_t>(found.nested - found.beginning) * step;
+    found.ending = find<true, true>(k, std::max<std::int32_t>((beyond - k) * step, 0), found.nested);
+    found.end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), found.ending);
+    job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, step) : paint<RunPainter>(found, ka, step);
+    job_.counters.level_spans +=
+        static_cast<std::uint32_t>(1 + found.end - found.beginning + found.ending - found.nested);
   }
 
  private:
   using Interval = std::int32_t;  // first dot + 2^16 first dot beyond
+  // Those that the last dot lies in, but not the first, begin in the span; then come those inside it, nested; those that the first dot lies
+  // in, but not the last, end in it. Either the first or the last are none.
+  struct Intervals {
+    Interval *beginning, *nested, *ending, *end;
+  };
   struct Crossing {
     std::int32_t centre, half, error;  // places; error < 0: the line misses the interval
   };
+
+  template <class Run>
+  void paint(const Intervals& found, std::int32_t level, std::int32_t step) {
+    Run run(job_.painter, x0_, level);
+    for (const Interval* at = found.beginning; at != found.ending; ++at) run.change(*at & 0x7fff, level += step);
+    for (const Interval* at = found.ending; at != found.nested;) run.change(*--at >> 16, level -= step);
+    for (const Interval* at = found.ending; at != found.end; ++at) run.change(*at >> 16, level -= step);
+    run.end(x1_);
+  }
 
   // The light comes from behind: a level's interval is where it is not reached, and intervals nest downwards.
   [[nodiscard]] bool is_dark() const { return c_.b < 0; }

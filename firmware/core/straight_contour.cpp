@@ -39,14 +39,7 @@ class StraightSpan {
   // The rulings of the whole span have been surveyed.
   [[nodiscard]] bool is_usable() const { return is_usable_; }
 
-  void paint() {
-    const std::int32_t from = first_from(x0_ << place_bits);
-    const std::int32_t end = first_from((x1_ << place_bits) + blur_ + 1);
-    RunPainter run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
-    for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) ask(run, i);
-    run.end(x1_);
-    job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
-  }
+  void paint() { job_.painter.is_bilevel() ? paint_by<BilevelRuns>() : paint_by<RunPainter>(); }
 
  private:
   static std::int32_t level_of(std::uint32_t entry) {
@@ -68,9 +61,25 @@ class StraightSpan {
     return i;
   }
 
+  template <class Run>
+  void paint_by() {
+    const std::int32_t from = first_from(x0_ << place_bits);
+    const std::int32_t end = first_from((x1_ << place_bits) + blur_ + 1);
+    Run run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
+    for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) {
+      // Entry i may change the level on either side of a dot, which may have been asked for another entry's sake.
+      const std::int32_t x = place_of(entries_[i]) >> place_bits;
+      if (x != asked_) run.change(x, ask(x, level_of(entries_[i])));
+      if (x < x1_) run.change(x + 1, level_of(entries_[i]));
+    }
+    run.end(x1_);
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
+  }
+
   // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or the end.
-  [[nodiscard]] std::int32_t paint_certain(RunPainter& painter, std::int32_t i, std::int32_t end) const {
-    RunPainter run = painter;
+  template <class Run>
+  [[nodiscard]] std::int32_t paint_certain(Run& painter, std::int32_t i, std::int32_t end) const {
+    Run run = painter;
     const std::int32_t base = base_ + one_dot, unsure = unsure_;
     const std::uint32_t width = width_;
     const std::uint32_t* const last = entries_ + end;
@@ -84,18 +93,12 @@ class StraightSpan {
     return static_cast<std::int32_t>(at - entries_);
   }
 
-  // Entry i, which may change the level on either side of a dot; the dot may have been asked for another entry's sake.
-  [[gnu::noinline]] void ask(RunPainter& run, std::int32_t i) {
-    const std::int32_t x = place_of(entries_[i]) >> place_bits;
-    if (x != asked_) {
-      const std::int32_t level = search_level(job_.table, level_of(entries_[i]),
-                                              [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
-      run.change(x, level);
-      asked_ = x;
-      ++job_.counters.level_spans;
-      ++job_.counters.intensities;
-    }
-    if (x < x1_) run.change(x + 1, level_of(entries_[i]));
+  // The level of dot x, next to `guess` as a rule.
+  [[nodiscard, gnu::noinline]] std::int32_t ask(std::int32_t x, std::int32_t guess) {
+    asked_ = x;
+    ++job_.counters.level_spans;
+    ++job_.counters.intensities;
+    return search_level(job_.table, guess, [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
   }
 
   const ShadeJob& job_;
