@@ -11,37 +11,61 @@ ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) {
     return has_polynomial_normal(job.face, job.lighting) ? ContourKind::general : ContourKind::none;
   }
+  if (has_wide_coefficients(job.face)) return ContourKind::none;
   return has_constant_normal(job.face.surface) ? ContourKind::sphere : ContourKind::curved;
 }
 
 ContourKind straight_or_general(const ShadeJob& job) {
-  if (has_wide_coefficients(job.face)) return ContourKind::none;
   if (!has_straight_contours(job.face)) return ContourKind::general;
   if (job.contours->block.empty()) ++job.counters.crowded_faces;
   return ContourKind::straight;
 }
 
-// Instructions of a Cortex-M3, or tenths of a nanosecond of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with
-// r levels met from dot to dot takes  span + dot n + run min(r, n) + step r,  `span` beyond that of the way dot by dot.
+// Instructions of a Cortex-M3, or ticks of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r levels
+// met from dot to dot takes  span + dot n + run min(r, n) + crowd max(r - n, 0).
 struct Way {
-  std::int64_t span, dot, run, step;
+  std::int32_t span, dot, run, crowd;
 
-  [[nodiscard]] constexpr std::int64_t cost(std::int64_t n, std::int64_t r) const {
-    return span + dot * n + run * std::min(r, n) + step * r;
+  [[nodiscard]] constexpr std::int32_t cost(std::int32_t n, std::int32_t r) const {
+    return span + dot * n + run * std::min(r, n) + crowd * std::max<std::int32_t>(r - n, 0);
   }
 };
 struct Ways {
-  Way dot_by_dot, general, sphere;
+  Way dot_by_dot, general, sphere, straight;
+  std::int32_t general_start, sphere_start;  // once a face
+  std::int32_t survey, survey_level;         // and of straight contours, so much a level besides
 };
-constexpr Ways ways = limb_bits == 32 ? Ways{{0, 330, 55, 35}, {-3500, 30, 70, 95}, {-10200, 0, 0, 80}}
-                                      : Ways{{0, 85, 70, 0}, {1000, 0, 0, 260}, {-1000, 0, 0, 50}};
+constexpr Ways ways =
+    limb_bits == 32
+        ? Ways{{5200, 285, 200, 23}, {2750, 10, 250, 13}, {650, 0, 77, 77}, {400, 0, 44, 44}, 12000, 15500, 40000, 3000}
+        : Ways{{300, 25, 30, 3}, {480, 3, 145, 2}, {155, 0, 13, 13}, {80, 0, 5, 5}, 1500, 1500, 9000, 330};
 
-// Whether contours are cheaper. The last span tells r / n, as far as each level is met twice; before there is one, it is met once.
-bool is_sparse(const ShadeJob& job, std::uint32_t dots, const Way& way) {
+// Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
+std::int32_t levels_met(const ShadeJob& job, std::int32_t n) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
-  const std::uint32_t steps = face.dots == 0 ? levels : std::min(dots * face.steps / face.dots, 2 * levels);
-  return way.cost(dots, steps) < ways.dot_by_dot.cost(dots, steps);
+  const auto gaps = static_cast<std::uint32_t>(n - 1);
+  return static_cast<std::int32_t>(face.gaps == 0 ? levels : std::min(gaps * face.steps / face.gaps, 2 * levels));
+}
+
+struct Costs {
+  std::int32_t dot_by_dot, general, sphere, straight;
+
+  Costs(const ShadeJob& job, Shader shader, std::int32_t n) {
+    const std::int32_t r = levels_met(job, n);
+    dot_by_dot = shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
+    general = ways.general.cost(n, r);
+    sphere = ways.sphere.cost(n, r);
+    straight = ways.straight.cost(n, r);
+  }
+};
+
+// Whether to begin with a way that saves so much on a span of n dots, and takes `start` once: if the face, were it as high as the span is wide,
+// would save that, or the spans since it was first thought of have missed it.
+bool is_begun(FaceContours& face, std::int32_t n, std::int32_t gain, std::int32_t start) {
+  if (face.missed + std::int64_t{gain} * n >= start) return true;
+  face.missed += gain;
+  return false;
 }
 
 // Of a face with straight contours.
@@ -54,25 +78,32 @@ bool has_corner(const ShadeJob& job, std::int32_t y, std::int32_t x) {
 
 bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   FaceContours& face = *job.contours;
-  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
-  const auto pays = [&](const Way& way) { return shader == Shader::contour || is_sparse(job, dots, way); };
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
-  if (face.kind == ContourKind::sphere) {
-    if (!pays(ways.sphere)) return false;
-    if (face.sphere.fraction == 0 && !make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
+  const std::int32_t n = x1 - x0 + 1;
+  const Costs costs(job, shader, n);
+  if (face.kind == ContourKind::sphere && costs.sphere < std::min(costs.general, costs.dot_by_dot)) {
+    if (face.sphere.fraction == 0) {
+      if (!is_begun(face, n, costs.dot_by_dot - costs.sphere, ways.sphere_start)) return false;
+      if (!make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
+    }
     if (face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1)) return true;
   }
+  bool pays = costs.general < costs.dot_by_dot;
+  if (pays && face.general.bars.error == 0) {
+    pays = is_begun(face, n, costs.dot_by_dot - costs.general, ways.general_start);
+  }
+  const SurveyChance survey{std::max<std::int32_t>(std::min(costs.general, costs.dot_by_dot) - costs.straight, 0),
+                            ways.survey + ways.survey_level * job.table.levels};
   if (face.kind == ContourKind::curved) {
-    if (!pays(ways.general) && !is_survey_due(job, dots)) {
-      face.straight.waited += dots;
+    if (!pays && !is_survey_due(face.straight, n, survey)) {
+      face.straight.missed += survey.gain;
       return false;
     }
     face.kind = straight_or_general(job);
   }
-  if (face.kind == ContourKind::none) return false;
-  if (face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) return true;
-  return pays(ways.general) && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
+  if (face.kind == ContourKind::straight && survey.gain > 0 && straight_contour(job, y, x0, x1, survey)) return true;
+  return pays && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
 }
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {

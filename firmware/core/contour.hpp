@@ -31,7 +31,8 @@ inline constexpr std::int32_t all_lines = std::numeric_limits<std::int32_t>::max
 struct FaceContours {
   ContourKind kind = ContourKind::unknown;
   std::int32_t corner_line = unknown_line;  // of a straight one, once it matters
-  std::uint32_t dots = 0, steps = 0;        // of the last span: levels met from dot to dot
+  std::uint32_t gaps = 0, steps = 0;        // of the last span of two dots or more: levels met from dot to dot
+  std::int32_t missed = 0;                  // what spans would have saved by a way that is not begun
   SphereContours sphere;
   StraightContours straight;
   GeneralContours general;
@@ -49,11 +50,10 @@ struct FaceContours {
 
 // Makes sphere_contour's registers.
 [[nodiscard]] bool make_sphere(const ShadeJob& job, SphereContours& out);
-// Whether straight_contour would make a survey.
-[[nodiscard]] bool is_survey_due(const ShadeJob& job, std::uint32_t dots);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
-[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1,
+                                    const SurveyChance& chance);
 [[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 
 // The first of these ways that does not decline; Shader::automatic asks only ways that should be cheaper than dot by dot.

@@ -434,8 +434,9 @@ class Engine {
     const std::uint32_t steps = result_.counters.level_steps;
     const bool done = modules_.contours->shade(job, options_.shader, y, span.x0, span.x1);
     if (!done) module.shade(job, options_.shader, y, span.x0, span.x1);
-    job.contours->dots = static_cast<std::uint32_t>(span.x1 - span.x0 + 1);
-    job.contours->steps = done ? result_.counters.level_spans - spans : result_.counters.level_steps - steps;
+    if (span.x1 == span.x0) return;
+    job.contours->gaps = static_cast<std::uint32_t>(span.x1 - span.x0);
+    job.contours->steps = done ? result_.counters.level_spans - spans - 1 : result_.counters.level_steps - steps;
   }
 
   void shade(std::int32_t y) {

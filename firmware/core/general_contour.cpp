@@ -202,6 +202,10 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
   const auto is_beyond = [&](const LevelDot& dot, std::int32_t lead) {
     return k != end && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
+  // As many levels as dots: dots one by one take less.
+  const auto is_crowded = [&](const Lead& lead, std::int32_t width) {
+    return (end - k) * sign > width && lead.of(bar + static_cast<std::uint32_t>(width) * bar_step) > 0;
+  };
   const Lead lead_b = b.lead(sign);
   Lead lead_a = a.lead(sign);
   std::int32_t at_a = lead_a.of(bar);
@@ -224,6 +228,9 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       painter_.change(line_.middle() + c.t, k - sign - below);
       if (k - before == sign) chord_ = 2;
       more = is_beyond(b, lead_b.of(bar));
+    } else if (is_crowded(lead_c, width)) {
+      chord_ = 1;
+      continue;
     } else {
       LevelChord chord(line_, a, c);
       if (!rising) chord.mirror();

@@ -67,28 +67,33 @@ struct LevelWindow {
   }
 };
 
-// The largest level that `reaches(k)` grants, sought from the level of the dot before (-1: none) or by bisection.
+// The largest level that `reaches(k)` grants, by bisection; from the level of the dot before (-1: none) in steps that double first
+// [Bentley, Yao 1976], since a dot of a small face may lie a hundred levels on.
 template <class Reaches>
 std::int32_t search_level(const LevelTable& table, std::int32_t level, Reaches reaches) {
   const auto asks = [&](std::int32_t k) {
     if (k <= table.ambient_level) return true;
     return k <= table.top_level && reaches(k);
   };
-  if (level < 0) {
-    std::int32_t low = table.ambient_level;
-    std::int32_t high = table.top_level + 1;
-    while (high - low > 1) {
-      const std::int32_t middle = (low + high) / 2;
-      (asks(middle) ? low : high) = middle;
+  std::int32_t low = table.ambient_level;
+  std::int32_t high = table.top_level + 1;
+  if (level >= 0) {
+    const bool rises = asks(level + 1);
+    if (!rises && asks(level)) return level;
+    std::int32_t step = 1;
+    if (rises) {
+      for (low = level + 1; asks(low + step); step *= 2) low += step;
+      high = low + step;
+    } else {
+      for (high = level; !asks(high - step); step *= 2) high -= step;
+      low = high - step;
     }
-    return low;
   }
-  const std::int32_t before = level;
-  while (asks(level + 1)) ++level;
-  if (level == before) {
-    while (!asks(level)) --level;
+  while (high - low > 1) {
+    const std::int32_t middle = (low + high) / 2;
+    (asks(middle) ? low : high) = middle;
   }
-  return level;
+  return low;
 }
 
 // Runs level_at(x, level of the dot before or -1) over the span and paints runs of equal levels.

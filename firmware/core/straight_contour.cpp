@@ -114,28 +114,26 @@ class StraightSpan {
 
 }  // namespace
 
-// A survey costs as much as so many dots one by one. The first pays where thrice as many are to be expected, of a face as high as it is
-// wide; others, of lines further on, where twice as many have been shaded since, by far cheaper ones counting an eighth. After a failure it
-// is twice as many.
-bool is_survey_due(const ShadeJob& job, std::uint32_t dots) {
-  const StraightContours& s = job.contours->straight;
-  const auto cost = static_cast<std::uint32_t>(200 + 8 * job.table.levels);
-  return (!s.tried && dots * dots >= 3 * cost) || s.waited >= 2 * cost << s.failures;
+// The first pays where it saves that on a face as high as the span is wide; later ones, further on, where spans have missed as much since,
+// those by the last survey counting an eighth. After a failure it is twice as much.
+bool is_survey_due(const StraightContours& s, std::int32_t n, const SurveyChance& chance) {
+  return (!s.tried && std::int64_t{chance.gain} * n >= chance.cost) || s.missed >= std::int64_t{chance.cost}
+                                                                                       << s.failures;
 }
 
-bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1,
+                      const SurveyChance& chance) {
   StraightContours& s = job.contours->straight;
   if (job.contours->block.empty()) return false;
-  const auto dots = static_cast<std::uint32_t>(x1 - x0 + 1);
   StraightSpan span(job, y, x0, x1);
   if (span.is_usable()) {
     span.paint();
-    s.waited += dots / 8;
+    s.missed += chance.gain / 8;
     return true;
   }
-  s.waited += dots;
-  if (!is_survey_due(job, dots)) return false;
-  s.waited = 0;
+  s.missed += chance.gain;
+  if (!is_survey_due(s, x1 - x0 + 1, chance)) return false;
+  s.missed = 0;
   s.tried = true;
   if (!survey_rulings(job, y, x0, x1)) {
     s.failures = static_cast<std::uint16_t>(std::min(s.failures + 1, 16));

@@ -18,13 +18,19 @@ namespace halfspace {
 struct StraightContours {
   std::int64_t left = 0, left_slope = 0;    // xA of `line`, on the page, and its change from line to line
   std::int64_t width = 0, width_slope = 0;  // xB - xA
+  std::int64_t missed = 0;                  // what spans would have saved since the last survey, by it an eighth
   std::int32_t line = 0;
   std::int32_t entries = 0;  // at the start of the face's block; none: not known
   std::int32_t entry_width = 0;
-  std::uint32_t waited = 0;  // dots shaded since the last survey, an eighth of those by it
   std::uint16_t failures = 0;
   bool tried = false;
 };
+
+// What a span would save by straight contours, and what it takes to survey them; in one unit (contour.cpp).
+struct SurveyChance {
+  std::int32_t gain, cost;
+};
+[[nodiscard]] bool is_survey_due(const StraightContours& face, std::int32_t dots, const SurveyChance& chance);
 
 inline constexpr int line_bits = 34;
 inline constexpr int entry_level_bits = 8;

@@ -50,9 +50,10 @@ class Contours {
       painter.begin(y);
       const ShadeJob job{face.active, lighting_, table_, exact, painter, counters, 1, &contours, scratch_};
       const std::vector<DotRun> runs = runs_of(face, y, page_.width);
-      const bool all = has_straight_contours(face.active) &&
-                       std::all_of(runs.begin(), runs.end(),
-                                   [&](const DotRun& run) { return straight_contour(job, y, run.x0, run.x1); });
+      const bool all =
+          has_straight_contours(face.active) && std::all_of(runs.begin(), runs.end(), [&](const DotRun& run) {
+            return straight_contour(job, y, run.x0, run.x1, {.gain = 100, .cost = 1});
+          });
       lines += all ? 0 : 1;
     }
     return lines;
