@@ -221,8 +221,9 @@ class Survey {
 
   bool run() {
     std::uint32_t first = beside_end;
-    while (arc_.place(first) > 2) first /= 2;
-    while (arc_.place(last_) < (1 << 24) - 3) last_ += (0U - last_) / 2;
+    // Where places are steep beside a limb the nearest tau is still further off: so much less is surveyed.
+    while (first > 1 && arc_.place(first) > 2) first /= 2;
+    while (0U - last_ > 1 && arc_.place(last_) < (1 << 24) - 3) last_ += (0U - last_) / 2;
     if (!settle_level(first)) return false;
     add(first);
     for (int parts = 0; at_ < last_; ++parts) {
