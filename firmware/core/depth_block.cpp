@@ -4,6 +4,7 @@
 
 #include "firmware/core/isqrt.hpp"
 #include "firmware/core/quick_root.hpp"
+#include "firmware/core/radical_plane.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
@@ -199,6 +200,27 @@ int bend_of(const ActiveFace& face) {
   return face.kind == FaceKind::root && face.surface.discriminant.q[0].negative() ? face.sheet : 2;
 }
 
+// c2 of f times that of g times the distance of their middles in depth, f's less g's: a constant where the other second-order terms are
+// in proportion.
+Wide<256> middle_distance(const ActiveFace& f, const ActiveFace& g) {
+  using Int = Wide<256>;
+  const Int a(f.c[2]);
+  const Int middle = Int(f.c[5]).times(f.origin_x - g.origin_x) + Int(f.c[4]).times(f.origin_y - g.origin_y) +
+                     a * (Int(f.origin_z) - Int(g.origin_z)) - Int(f.c[8]);
+  return middle * Int(g.c[2]) + Int(g.c[8]) * a;
+}
+
+bool are_proportional(const ActiveFace& f, const ActiveFace& g) {
+  using Int = Wide<256>;
+  if (std::equal(f.c.begin(), f.c.begin() + 6, g.c.begin())) return true;
+  const Int a(f.c[2]);
+  const Int rival_a(g.c[2]);
+  for (const int i : {0, 1, 3, 4, 5}) {
+    if (Int(f.c[i]) * rival_a != Int(g.c[i]) * a) return false;
+  }
+  return true;
+}
+
 // DepthProof::inner.
 int inner_face(const ActiveFace& f, const ActiveFace& g) {
   const int bend = bend_of(f);
@@ -206,15 +228,16 @@ int inner_face(const ActiveFace& f, const ActiveFace& g) {
   if (bend == 2 || rival == 2) return 0;
   if (bend <= 0 && rival >= 0) return -1;
   if (bend >= 0 && rival <= 0) return 1;
-  using Int = Wide<256>;
-  const Int a(f.c[2]);
-  const Int rival_a(g.c[2]);
-  for (int i = 0; i < 6; ++i) {
-    if (i != 2 && Int(f.c[i]) * rival_a != Int(g.c[i]) * a) return 0;
-  }
-  const Int middle = Int(f.c[5]).times(f.origin_x - g.origin_x) + Int(f.c[4]).times(f.origin_y - g.origin_y) +
-                     a * (Int(f.origin_z) - Int(g.origin_z)) - Int(f.c[8]);
-  return (middle * rival_a + Int(g.c[8]) * a).negative() ? -1 : 1;
+  if (!are_proportional(f, g)) return 0;
+  return middle_distance(f, g).negative() ? -1 : 1;
+}
+
+// Of two front sheets in proportion; others have none.
+void make_radical_plane(const ActiveFace& f, const ActiveFace& g, DepthProof& proof) {
+  proof.radical.fraction = RadicalPlane::missing;
+  if (bend_of(f) >= 0 || bend_of(g) >= 0) return;
+  const Wide<256> k = middle_distance(f, g).magnitude();
+  proof.radical = proof.inner < 0 ? radical_plane(f, g, k) : radical_plane(g, f, k);
 }
 
 }  // namespace
@@ -242,6 +265,9 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
   proof.nearer = 0;
   if (f.block.error < 0 || g.block.error < 0) return proof;
   proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
+  if (proof.nearer == 0 && proof.inner != 0 && proof.radical.fraction == RadicalPlane::unknown) {
+    make_radical_plane(f, g, proof);
+  }
   if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
   DepthProof near = proof;
   near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - 4));
