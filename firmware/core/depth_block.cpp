@@ -18,21 +18,13 @@ constexpr std::int32_t column_rows = 16;
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
-struct Interval {
-  std::int64_t low, high;
-};
-
-// Dots t0 .. t1 of lines s0 .. s1 of a block.
-struct Part {
-  std::int32_t t0, t1, s0, s1;
-};
-
 std::int64_t discriminant(const DepthBlock& k, std::int32_t t, std::int32_t s) {
   return k.d + part(k.dy + k.dyy * s, s, k.y_bits) + part(k.dx + k.dxy * s + k.dxx * t, t, k.x_bits);
 }
 
-// Of the root in units, errors taken in.
-Interval root_over(const DepthBlock& k, const Part& p) {
+}  // namespace
+
+Interval root_over(const DepthBlock& k, const BlockPart& p) {
   const std::int64_t corners[4] = {discriminant(k, p.t0, p.s0), discriminant(k, p.t1, p.s0),
                                    discriminant(k, p.t0, p.s1), discriminant(k, p.t1, p.s1)};
   const std::int32_t w = p.t1 - p.t0;
@@ -47,6 +39,8 @@ Interval root_over(const DepthBlock& k, const Part& p) {
   const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
   return {std::max<std::int64_t>(root(low) - 3, 0), root(high) + 3};
 }
+
+namespace {
 
 class Maker {
  public:
@@ -221,23 +215,20 @@ bool are_proportional(const ActiveFace& f, const ActiveFace& g) {
   return true;
 }
 
-// DepthProof::inner.
-int inner_face(const ActiveFace& f, const ActiveFace& g) {
+// Of a proof, what lasts: the inner face, and the radical plane of two front sheets in proportion.
+void compare(const ActiveFace& f, const ActiveFace& g, DepthProof& proof) {
   const int bend = bend_of(f);
   const int rival = bend_of(g);
-  if (bend == 2 || rival == 2) return 0;
-  if (bend <= 0 && rival >= 0) return -1;
-  if (bend >= 0 && rival <= 0) return 1;
-  if (!are_proportional(f, g)) return 0;
-  return middle_distance(f, g).negative() ? -1 : 1;
-}
-
-// Of two front sheets in proportion; others have none.
-void make_radical_plane(const ActiveFace& f, const ActiveFace& g, DepthProof& proof) {
-  proof.radical.fraction = RadicalPlane::missing;
-  if (bend_of(f) >= 0 || bend_of(g) >= 0) return;
-  const Wide<256> k = middle_distance(f, g).magnitude();
-  proof.radical = proof.inner < 0 ? radical_plane(f, g, k) : radical_plane(g, f, k);
+  if (bend == 2 || rival == 2) return;
+  if (bend <= 0 && rival >= 0) {
+    proof.inner = -1;
+  } else if (bend >= 0 && rival <= 0) {
+    proof.inner = 1;
+  } else if (are_proportional(f, g)) {
+    const Wide<256> k = middle_distance(f, g);
+    proof.inner = k.negative() ? -1 : 1;
+    if (bend < 0) proof.radical = k.negative() ? radical_plane(f, g, -k) : radical_plane(g, f, k);
+  }
 }
 
 }  // namespace
@@ -254,7 +245,7 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
     last = f.proofs.data();
     *last = {};
     last->rival = g.order;
-    last->inner = static_cast<std::int8_t>(inner_face(f, g));
+    compare(f, g, *last);
   }
   DepthProof& proof = *last;
   const std::int32_t margin = (x1 - x0) / 4;
@@ -264,9 +255,10 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
   if (f.block.error < 0 || g.block.error < 0) return proof;
-  proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
-  if (proof.nearer == 0 && proof.inner != 0 && proof.radical.fraction == RadicalPlane::unknown) {
-    make_radical_plane(f, g, proof);
+  if (proof.radical.fraction != RadicalPlane::missing) {
+    proof.nearer = static_cast<std::int8_t>(proof.inner * nearer_by_plane(proof.inner < 0 ? f : g, proof));
+  } else {
+    proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
   }
   if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
   DepthProof near = proof;

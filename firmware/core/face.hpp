@@ -69,9 +69,9 @@ struct DepthBlock {
 // Of two spheres, a plane that parts where the one is nearer from where the other is: radical_plane.hpp.
 //   l = (c + x x + y y) 2^-fraction        in the inner face's frame, in units of the root of its D
 struct RadicalPlane {
-  static constexpr std::int16_t unknown = INT16_MIN, missing = INT16_MIN + 1;  // not asked for yet; there is none
+  static constexpr std::int16_t missing = INT16_MIN;
   std::int64_t c = 0, x = 0, y = 0;
-  std::int16_t fraction = unknown;
+  std::int16_t fraction = missing;
 };
 
 // What is known of a face and a rival on dots x0 .. x1 of lines y0 .. y1: -1, the face is the nearer one; 1, the rival is; 0, it takes a

@@ -27,6 +27,11 @@ class RadicalLine {
   }
   [[nodiscard]] bool is_usable() const { return k_.error >= 0 && k_.shift < 63 && shift_ >= 0 && shift_ < 64; }
 
+  // l in units, to within error(); 2^30 where it is more.
+  [[nodiscard]] std::int64_t plane(std::int32_t x) const {
+    return std::min<std::int64_t>((l_ + lx_ * (x - k_.x0)) >> shift_, farthest);
+  }
+  [[nodiscard]] std::int64_t error() const { return error_; }
   // l's coefficients are off by less than 2 each, D by less than `shallow`; r is below 2^30.
   [[nodiscard]] int sign(std::int32_t x) const {
     const std::int64_t l = plane(x);
@@ -45,9 +50,6 @@ class RadicalLine {
   [[nodiscard]] std::int64_t value_error() const { return (error_ + 1) * (std::int64_t{1} << 32); }
 
  private:
-  [[nodiscard]] std::int64_t plane(std::int32_t x) const {
-    return std::min<std::int64_t>((l_ + lx_ * (x - k_.x0)) >> shift_, farthest);
-  }
   [[nodiscard]] std::int64_t discriminant(std::int32_t x) const {
     const std::int32_t t = x - k_.x0;
     return d_ + part(dx_ + k_.dxx * t, t, k_.x_bits);
@@ -125,6 +127,19 @@ RadicalPlane radical_plane(const ActiveFace& face, const ActiveFace& rival, cons
   if (fraction <= RadicalPlane::missing || fraction > INT16_MAX || !is_known(x) || !is_known(y) || !is_known(c))
     return none;
   return {c.fixed(fraction), x.fixed(fraction), y.fixed(fraction), static_cast<std::int16_t>(fraction)};
+}
+
+int nearer_by_plane(const ActiveFace& inner, const DepthProof& over) {
+  const RadicalLine first(inner, over.radical, over.y0);
+  const RadicalLine last(inner, over.radical, over.y1);
+  if (!first.is_usable()) return 0;
+  const std::int64_t corners[4] = {first.plane(over.x0), first.plane(over.x1), last.plane(over.x0),
+                                   last.plane(over.x1)};
+  const DepthBlock& k = inner.block;
+  const Interval r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
+  const std::int64_t error = std::max(first.error(), last.error());
+  if (r.low > *std::max_element(corners, corners + 4) + error) return 1;
+  return r.high < *std::min_element(corners, corners + 4) - error ? -1 : 0;
 }
 
 bool find_inner_dots(const ActiveFace& inner, DepthProof& proof, std::int32_t y, std::int32_t a, std::int32_t b,

@@ -15,6 +15,9 @@ namespace halfspace {
 // Of the inner one of two faces, as above; made once for the pair. k is rival's c2 times the face's times k, so that it is whole.
 [[nodiscard]] RadicalPlane radical_plane(const ActiveFace& face, const ActiveFace& rival, const Wide<256>& k);
 
+// Over the dots and lines of a proof, which the face's block holds: 1, the inner face is nearer on all; -1, the rival is; 0, it cannot be told.
+[[nodiscard]] int nearer_by_plane(const ActiveFace& inner, const DepthProof& over);
+
 // Dots of a run where the inner face is the nearer one; none: from > to.
 struct InnerDots {
   std::int32_t from, to;

@@ -46,7 +46,7 @@ bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t 
   DepthProof nothing;
   DepthProof& proof = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : nothing;
   if (proof.nearer != 0) return add(proof.nearer < 0 ? face : old_face, x0, x1);
-  if (proof.radical.fraction > RadicalPlane::missing) {
+  if (proof.radical.fraction != RadicalPlane::missing) {
     const std::uint16_t inner = proof.inner < 0 ? face : old_face;
     const std::uint16_t outer = proof.inner < 0 ? old_face : face;
     InnerDots dots;

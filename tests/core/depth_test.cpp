@@ -227,10 +227,17 @@ TEST(DepthOrder, PiecesEqualTheExactOrderDotByDot) {
   }
 }
 
-// What the radical plane tells of a run, dot by dot. False: nothing.
-bool expect_inner_dots(TestFace& f, TestFace& g, std::int32_t y, DotRun run) {
+// What the radical plane tells of a run, dot by dot: of lines to come, then of this one. False: nothing of this one.
+bool expect_inner_dots(TestFace& f, TestFace& g, std::int32_t y, DotRun run, int& proven) {
   DepthProof& proof = proven_order(f.active, g.active, y, run.x0, run.x1);
-  if (proof.radical.fraction <= RadicalPlane::missing) return false;
+  if (proof.radical.fraction == RadicalPlane::missing) return false;
+  if (proof.nearer != 0) {
+    ++proven;
+    for (std::int32_t x = run.x0; x <= run.x1; ++x) {
+      EXPECT_EQ(testing::compare(*testing::depth_at(f, x, y), *testing::depth_at(g, x, y)), proof.nearer)
+          << "dot " << x << " line " << y;
+    }
+  }
   TestFace& inner = proof.inner < 0 ? f : g;
   TestFace& outer = proof.inner < 0 ? g : f;
   InnerDots dots;
@@ -259,6 +266,7 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
   };
   int changes = 0;
   int parted = 0;
+  int proven = 0;
   for (int trial = 0; trial < trials(600); ++trial) {
     if (trial % 3 == 0) {
       for (std::size_t i = 0; i < shape.size(); ++i) shape[i] = i < 3 ? between(dice, 3, 6) : between(dice, -1, 1);
@@ -276,13 +284,14 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
       const DotRun both{std::max(runs_f[0].x0, runs_g[0].x0), std::min(runs_f[0].x1, runs_g[0].x1)};
       if (both.x0 > both.x1) continue;
       expect_dot_by_dot(f, g, *exact, y, both);
-      parted += expect_inner_dots(f, g, y, both) ? 1 : 0;
+      parted += expect_inner_dots(f, g, y, both, proven) ? 1 : 0;
       ASSERT_FALSE(HasFailure()) << "trial " << trial;
       changes += f.active.proofs[0].crossing >= 0 ? 1 : 0;
     }
   }
   EXPECT_GT(changes, trials(1000));
   EXPECT_GT(parted, trials(1000));
+  EXPECT_GT(proven, trials(1000));
 }
 
 // Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.
