@@ -13,20 +13,12 @@ int sign_of_slope(const Curve& curve, std::int64_t y) {
   return sgn(mpz_class(curve.q[1] * static_cast<long>(y) + curve.q[3]));
 }
 
-// The roots of one curve, ascending, each under the names of its branches.
-std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t index, std::int64_t y) {
-  std::vector<RowRoot> named;
-  for (RowPoint& x : roots_on_row(traced.curve, traced.enclosed, y)) named.push_back({std::move(x), {}, {}});
-  if (named.empty()) return named;
-  if (sgn(traced.curve.q[0]) == 0) {
-    named.front().curves = {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
-  } else if (named.size() == 1) {
-    named.front().curves = {{index, Branch::left, false}, {index, Branch::right, false}};
-  } else {
-    named[0].curves = {{index, Branch::left, false}};
-    named[1].curves = {{index, Branch::right, false}};
-  }
-  return named;
+// The names of a curve's root number `root` of `count` on line y.
+std::vector<CurveBranch> branches_at(const TracedCurve& traced, std::uint32_t index, std::int64_t y, std::size_t root,
+                                     std::size_t count) {
+  if (sgn(traced.curve.q[0]) == 0) return {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
+  if (count == 1) return {{index, Branch::left, false}, {index, Branch::right, false}};
+  return {{index, root == 0 ? Branch::left : Branch::right, false}};
 }
 
 // The roots of one quartic, ascending, each under its names on the sheets where it is a root of a constraint.
@@ -84,8 +76,16 @@ std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, 
 std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y,
                                    QuarticTable& table) {
   std::vector<RowRoot> roots;
+  roots.reserve(2 * bounds.curves.size() + 4 * bounds.quartics.size());
+  std::vector<RowPoint> points;
+  points.reserve(2);
   for (std::uint32_t i = 0; i < bounds.curves.size(); ++i) {
-    for (RowRoot& root : roots_of_curve(bounds.curves[i], i, y)) insert_root(std::move(root), roots);
+    const TracedCurve& traced = bounds.curves[i];
+    points.clear();
+    append_roots_on_row(traced.curve, traced.enclosed, y, points);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      insert_root({std::move(points[k]), branches_at(traced, i, y, k, points.size()), {}}, roots);
+    }
   }
   for (std::uint32_t i = 0; i < bounds.quartics.size(); ++i) {
     for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y, table)) insert_root(std::move(root), roots);

@@ -46,22 +46,19 @@ void divide_by_common_content(Curve& p, Curve& r) {
   for (mpz_class& q : r.q) q /= divisor;
 }
 
-// Of a plane, 2 a (b' z + c') on z = (-b + t sqrt(d)) / 2a.
-Curve plane_on_two_sheets(const Surface& own, const Surface& plane) {
-  return 2 * own.a * plane.c - plane.b.q[5] * own.b;
-}
-
-// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a.
+// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a; of others without their common factor, for
+// the quartic is made of them.
 void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   const Surface& k = other.surface;
   if (sgn(k.a) == 0 && is_constant(k.b)) {
-    other.p = plane_on_two_sheets(own, k);
+    other.p = 2 * own.a * k.c - k.b.q[5] * own.b;
     other.r = k.b;
     return;
   }
   const Curve bb = product_of_lines(own.b, own.b);
   other.p = k.a * (bb - 2 * own.a * own.c) - own.a * product_of_lines(own.b, k.b) + 2 * own.a * own.a * k.c;
   other.r = own.a * k.b - k.a * own.b;
+  divide_by_common_content(other.p, other.r);
 }
 
 // b^2 (a' z^2 + b' z + c') on z = -c / b, where c is linear.
@@ -72,13 +69,8 @@ void set_form_on_plane(const Surface& own, Constraint& other) {
 }
 
 void set_form(const Sheets& sheets, Constraint& other) {
-  if (sheets.shape == SheetShape::rational) return;
-  if (sheets.shape == SheetShape::two_sheets) {
-    set_form_on_two_sheets(sheets.surface, other);
-  } else {
-    set_form_on_plane(sheets.surface, other);
-  }
-  divide_by_common_content(other.p, other.r);
+  if (sheets.shape == SheetShape::two_sheets) set_form_on_two_sheets(sheets.surface, other);
+  if (sheets.shape == SheetShape::flat) set_form_on_plane(sheets.surface, other);
 }
 
 // Where a plane C z + l meets the surface: C^2 value(-l/C), or l alone when the plane is parallel to the rays.
@@ -89,10 +81,12 @@ Curve section(const Surface& quadric, const Surface& plane) {
          slope * slope * quadric.c;
 }
 
-// P and R of the plane on two sheets, up to a factor.
-std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane) {
-  if (sheets.shape != SheetShape::two_sheets) return std::nullopt;
-  return Section{plane_on_two_sheets(sheets.surface, plane), plane.b.q[5]};
+bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
+
+// A constraint's line and factor, where it is of first order on two sheets.
+std::optional<Section> section_terms(const Sheets& sheets, const Constraint& k) {
+  if (sheets.shape != SheetShape::two_sheets || !is_line(k.p) || !is_constant(k.r)) return std::nullopt;
+  return Section{k.p, k.r.q[5]};
 }
 
 // On a curved sheet.
@@ -100,7 +94,7 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
   const Surface& own = sheets.surface;
   const Surface& k = other.surface;
   if (!is_curved(half_space)) {
-    other.plane = k;
+    other.section = section(own, k);
   } else if (sheets.shape == SheetShape::two_sheets) {
     other.n = product(other.p, other.p) - product(product_of_lines(other.r, other.r), sheets.d);
   } else {
@@ -108,8 +102,6 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
               product(product_of_lines(own.b, own.b), k.c);
   }
 }
-
-bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
 
 void add_quartic(const Sheets& sheets, const QuarticForm& curve, std::uint32_t constraint,
                  std::vector<TracedQuartic>& quartics) {
@@ -131,11 +123,8 @@ void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& tabl
   const bool later = k.half_space > sheets.half_space;
   if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
   const PlaneFactors& parts = table.factors_of(k.n);
-  std::optional<Section> section;
-  if (sheets.shape == SheetShape::two_sheets && is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
-  for (const Curve& part : parts.curves) {
-    trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
-  }
+  const auto terms = parts.curves.size() == 1 ? section_terms(sheets, k) : std::nullopt;
+  for (const Curve& part : parts.curves) trace(part, terms, later, bounds.curves);
   for (const QuarticForm& part : parts.quartics) add_quartic(sheets, part, index, bounds.quartics);
 }
 
@@ -168,7 +157,9 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.shape = shape_of(sheets.surface, sheets.curved);
   if (sheets.shape == SheetShape::none) return sheets;
   if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
-  sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
+  if (sheets.shape == SheetShape::two_sheets) {
+    sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
+  }
   sheets.constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
@@ -190,7 +181,7 @@ std::vector<Sheet> sheets_in(const Sheets& sheets) {
 bool has_zero_constraint(const Sheets& sheets) {
   return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
     if (!sheets.curved) return is_zero(k.p);
-    return k.plane ? is_zero(section(sheets.surface, *k.plane)) : is_zero(k.n);
+    return k.section ? is_zero(*k.section) : is_zero(k.n);
   });
 }
 
@@ -204,8 +195,8 @@ BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
     const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
       trace(k.p, std::nullopt, later, curves);
-    } else if (k.plane) {
-      trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
+    } else if (k.section) {
+      trace(*k.section, section_terms(sheets, k), later, curves);
     } else {
       trace_meeting(sheets, i, table, bounds);
     }
