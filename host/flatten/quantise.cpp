@@ -69,11 +69,13 @@ class RoundingLimit {
   [[nodiscard]] std::optional<bool> holds(int bits) const {
     constexpr double most = 0x1p400;  // far from where doubles end
     if (!(limit_ > 1 / most && limit_ < most && weights_ < most)) return std::nullopt;
-    double sum = 0;
-    for (std::size_t i = 0; i < count_; ++i) sum += terms_[i].weight * std::abs(rounding_of(terms_[i].c, bits));
     const double most_sum = std::ldexp(limit_, bits);
     const double slack = weights_ * 0x1p-52 + most_sum * 0x1p-44;
-    if (sum > most_sum + slack) return false;
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      sum += terms_[i].weight * std::abs(rounding_of(terms_[i].c, bits));
+      if (sum > most_sum + slack) return false;
+    }
     if (sum < most_sum - slack) return true;
     return std::nullopt;
   }
@@ -224,8 +226,9 @@ class CentralLimits {
 
   [[nodiscard]] std::optional<bool> hold(int bits) const {
     const std::optional<bool> bending = bending_.holds(bits);
+    if (!bending.value_or(true)) return false;
     const std::optional<bool> value = value_.holds(bits);
-    if (!bending.value_or(true) || !value.value_or(true)) return false;
+    if (!value.value_or(true)) return false;
     return bending && value ? std::optional(true) : std::nullopt;
   }
 
