@@ -46,12 +46,16 @@ void divide_by_common_content(Curve& p, Curve& r) {
   for (mpz_class& q : r.q) q /= divisor;
 }
 
+bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
+
+bool is_plane(const Surface& s) { return sgn(s.a) == 0 && is_constant(s.b) && is_line(s.c); }
+
 // 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a; of others without their common factor, for
 // the quartic is made of them.
 void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   const Surface& k = other.surface;
-  if (sgn(k.a) == 0 && is_constant(k.b)) {
-    other.p = 2 * own.a * k.c - k.b.q[5] * own.b;
+  if (is_plane(k)) {
+    other.p = minus_multiple(2 * own.a * k.c, k.b.q[5], own.b);
     other.r = k.b;
     return;
   }
@@ -61,27 +65,32 @@ void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   divide_by_common_content(other.p, other.r);
 }
 
-// b^2 (a' z^2 + b' z + c') on z = -c / b, where c is linear.
-void set_form_on_plane(const Surface& own, Constraint& other) {
-  const Surface& k = other.surface;
-  const mpz_class& b = own.b.q[5];
-  other.p = k.a * product_of_lines(own.c, own.c) - b * product_of_lines(k.b, own.c) + b * b * k.c;
+// C^2 (a' z^2 + b' z + c') on a plane C z + l = 0 that is not parallel to the rays.
+Curve value_on_plane(const Surface& k, const Surface& plane) {
+  const mpz_class& slope = plane.b.q[5];
+  const Curve line = minus_multiple(k.a * plane.c, slope, k.b);
+  return plus_multiple(product_of_lines(line, plane.c), slope * slope, k.c);
+}
+
+// The same, of a plane divided by |C|.
+Curve plane_on_plane(const Surface& k, const Surface& plane) {
+  const mpz_class& slope = plane.b.q[5];
+  Curve value = minus_multiple(slope * k.c, k.b.q[5], plane.c);
+  return sgn(slope) < 0 ? -1 * value : value;
 }
 
 void set_form(const Sheets& sheets, Constraint& other) {
   if (sheets.shape == SheetShape::two_sheets) set_form_on_two_sheets(sheets.surface, other);
-  if (sheets.shape == SheetShape::flat) set_form_on_plane(sheets.surface, other);
+  if (sheets.shape == SheetShape::flat) {
+    const Surface& k = other.surface;
+    other.p = is_plane(k) ? plane_on_plane(k, sheets.surface) : value_on_plane(k, sheets.surface);
+  }
 }
 
-// Where a plane C z + l meets the surface: C^2 value(-l/C), or l alone when the plane is parallel to the rays.
+// Where a plane meets the surface.
 Curve section(const Surface& quadric, const Surface& plane) {
-  const mpz_class& slope = plane.b.q[5];
-  if (sgn(slope) == 0) return plane.c;
-  return quadric.a * product_of_lines(plane.c, plane.c) - slope * product_of_lines(quadric.b, plane.c) +
-         slope * slope * quadric.c;
+  return sgn(plane.b.q[5]) == 0 ? plane.c : value_on_plane(quadric, plane);
 }
-
-bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
 
 // A constraint's line and factor, where it is of first order on two sheets.
 std::optional<Section> section_terms(const Sheets& sheets, const Constraint& k) {
@@ -158,7 +167,8 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   if (sheets.shape == SheetShape::none) return sheets;
   if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
   if (sheets.shape == SheetShape::two_sheets) {
-    sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
+    const Surface& s = sheets.surface;
+    sheets.d = minus_multiple(product_of_lines(s.b, s.b), 4 * s.a, s.c);
   }
   sheets.constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {

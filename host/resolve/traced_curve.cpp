@@ -15,7 +15,7 @@ bool is_second_order_proportional(const Curve& p, const Curve& q) {
 // m p - n q without second order: circles' radical line, and its like.
 Curve radical_line(const Curve& p, const Curve& q) {
   const std::size_t i = sgn(p.q[0]) != 0 ? 0 : sgn(p.q[1]) != 0 ? 1 : 2;
-  return q.q[i] * p - p.q[i] * q;
+  return minus_multiple(q.q[i] * p, p.q[i], q);
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, co
     if (is_zero(p.section->line)) return std::vector{q.section->line};
     if (is_zero(q.section->line)) return std::vector{p.section->line};
     const Curve u = q.section->factor * p.section->line;
-    const Curve v = p.section->factor * q.section->line;
-    return std::vector{u - v, u + v};
+    return std::vector{minus_multiple(u, p.section->factor, q.section->line),
+                       plus_multiple(u, p.section->factor, q.section->line)};
   }
   if (is_second_order_proportional(p.curve, q.curve)) return std::vector{radical_line(p.curve, q.curve)};
   return std::nullopt;
