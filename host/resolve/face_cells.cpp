@@ -129,8 +129,9 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
   const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<CellBuilder> builders(faces.size());
   const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
+  RowRoots finder(sheets, face.bounds, table);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
-    const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0, table);
+    const std::vector<RowRoot>& roots = finder.on_line(row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Sheet sheet = faces[i].sheet;
       auto intervals = row_intervals(roots, row.y0, presences[i], face.pole);
