@@ -147,14 +147,9 @@ bool is_curved(const IntegerHalfSpace& half_space) {
 
 Surface surface_of(const IntegerHalfSpace& half_space) {
   const auto& c = half_space.c;
-  Surface surface;
-  if (half_space.kind == HalfSpaceKind::plane) {
-    surface = {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, 1};
-  } else {
-    surface = {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, 1};
-  }
-  if (half_space.complement) surface.sense = -1;
-  return surface;
+  const int sense = half_space.complement ? -1 : 1;
+  if (half_space.kind == HalfSpaceKind::plane) return {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, sense};
+  return {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, sense};
 }
 
 Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
@@ -173,11 +168,13 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
-    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}, {}};
-    if (same_surface(sheets.surface, other.surface)) continue;
+    Surface surface = surface_of(body.half_spaces[k]);
+    if (same_surface(sheets.surface, surface)) continue;
+    Constraint& other = sheets.constraints.emplace_back();
+    other.half_space = k;
+    other.surface = std::move(surface);
     set_form(sheets, other);
     if (sheets.curved) set_meeting(sheets, body.half_spaces[k], other);
-    sheets.constraints.push_back(std::move(other));
   }
   return sheets;
 }
