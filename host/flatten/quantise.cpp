@@ -1,5 +1,6 @@
 #include "host/flatten/quantise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,10 +61,9 @@ class RoundingLimit {
  public:
   explicit RoundingLimit(Real limit) : limit_(static_cast<double>(limit)) {}
 
-  void add(Real c, Real weight) {
-    const auto near = static_cast<double>(weight);
-    terms_[count_++] = {c, near};
-    weights_ += near;
+  void add(Real c, double weight) {
+    terms_[count_++] = {c, weight};
+    weights_ += weight;
   }
 
   [[nodiscard]] std::optional<bool> holds(int bits) const {
@@ -102,7 +102,7 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   const Real size = length({form[0], form[1], form[2]});
   const auto bound = [&](Real scale) { return reach(residual_of(form, scale), box) / (scale * size); };
   RoundingLimit limit(box.target * size);
-  for (std::size_t i = 0; i < 4; ++i) limit.add(form[i], i < 3 ? box.half[i] : Real(1));
+  for (std::size_t i = 0; i < 4; ++i) limit.add(form[i], i < 3 ? static_cast<double>(box.half[i]) : 1);
   const auto scale =
       least_scale([&](int bits) { return limit.holds(bits); }, [&](Real s) { return bound(s) <= box.target; });
   if (!scale) return std::nullopt;
@@ -213,11 +213,12 @@ class CentralLimits {
  public:
   CentralLimits(const RealHalfSpace& h, const ReducedQuadric& reduced, Real bending, Real gradient, const LocalBox& box)
       : bending_(bending), value_(most_value(reduced, gradient, box)) {
-    const Vector4 half{box.half[0], box.half[1], box.half[2], 1};
+    std::array<double, 4> half{0, 0, 0, 1};
+    std::transform(box.half.begin(), box.half.end(), half.begin(), [](Real v) { return static_cast<double>(v); });
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i; j < 4; ++j) {
         const Real c = h.c[quadric_index[i][j]];
-        const Real times = i == j ? 1 : 2;
+        const double times = i == j ? 1 : 2;
         value_.add(c, times * half[i] * half[j]);
         if (j < 3) bending_.add(c, times);
       }

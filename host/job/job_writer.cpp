@@ -25,26 +25,22 @@ struct Lifetime {
   std::uint32_t slot = 0;
 };
 
-// Assigns slots in order of entry, the lowest free one first; returns how many are needed. Lines are 0 .. lines - 1.
-std::int32_t assign_slots(std::vector<Lifetime>& lives, std::int32_t lines) {
+// Assigns slots in order of entry, the lowest free one first; returns how many are needed.
+std::int32_t assign_slots(std::vector<Lifetime>& lives) {
   std::stable_sort(lives.begin(), lives.end(), [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
-  constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> last_of(static_cast<std::size_t>(lines), none);  // a life that ends on the line
-  std::vector<std::uint32_t> next(lives.size());                              // another that does
+  using End = std::pair<std::int32_t, std::uint32_t>;  // a last line and its slot
+  std::priority_queue<End, std::vector<End>, std::greater<>> ends;
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
   std::uint32_t count = 0;
-  std::int32_t line = 0;
-  for (std::uint32_t i = 0; i < lives.size(); ++i) {
-    for (; line < lives[i].y0; ++line) {
-      for (std::uint32_t k = last_of[static_cast<std::size_t>(line)]; k != none; k = next[k]) free.push(lives[k].slot);
-    }
+  for (Lifetime& life : lives) {
+    for (; !ends.empty() && ends.top().first < life.y0; ends.pop()) free.push(ends.top().second);
     if (free.empty()) {
-      lives[i].slot = count++;
+      life.slot = count++;
     } else {
-      lives[i].slot = free.top();
+      life.slot = free.top();
       free.pop();
     }
-    next[i] = std::exchange(last_of[static_cast<std::size_t>(lives[i].y1)], i);
+    ends.emplace(life.y1, life.slot);
   }
   return static_cast<std::int32_t>(count);
 }
@@ -199,9 +195,9 @@ void JobWriter::collect() {
   }
   std::erase_if(faces, [](const Lifetime& life) { return life.y1 < life.y0; });
   JobNeeds& needs = result_.header.needs;
-  needs.faces = assign_slots(faces, scene_.height);
-  needs.arcs = assign_slots(arcs, scene_.height);
-  needs.cells = assign_slots(cells, scene_.height);
+  needs.faces = assign_slots(faces);
+  needs.arcs = assign_slots(arcs);
+  needs.cells = assign_slots(cells);
   face_slot_.resize(resolved_.faces.size());
   arc_slot_.resize(resolved_.arcs.size());
   for (const Lifetime& l : faces) {
