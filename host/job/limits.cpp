@@ -11,7 +11,9 @@
 namespace halfspace {
 namespace {
 
-int bits_of_int(std::int64_t value) { return std::bit_width(static_cast<std::uint64_t>(std::abs(value))); }
+int bits_of_int(std::int64_t value) {
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(value))));
+}
 
 // The farthest local coordinate that a dot of the scissor, or one beside it, can have.
 struct Extent {
