@@ -151,8 +151,13 @@ template <class Arc>
 constexpr ArcModule module_of{
     .bytes = static_cast<std::int32_t>(sizeof(Arc)),
     .load = &load<Arc>,
-    .step_down = [](void* state) { static_cast<Arc*>(state)->form.step_y(); },
     .settle = [](void* state) { return settle(*static_cast<Arc*>(state)); },
+    .next =
+        [](void* state) {
+          Arc& arc = *static_cast<Arc*>(state);
+          arc.form.step_y();
+          return settle(arc);
+        },
     .enter_window = nullptr,
     .jump_down = nullptr,
     .ahead = nullptr,

@@ -38,8 +38,8 @@ struct ArcStart {
 struct ArcModule {
   std::int32_t bytes;
   void (*load)(JobReader& in, const ArcStart& start, void* state);  // the rest of an arc record
-  void (*step_down)(void* state);                                   // to the next line
   ArcCrossing (*settle)(void* state);                               // on the current line: sideways to the crossing
+  ArcCrossing (*next)(void* state);                                 // on the next line
   void (*enter_window)(JobReader& in, void* state);  // the rest of a window record; null: the kind has none
   // Kinds whose crossing curves one way all along may rest (curtain.hpp); both null: to look ahead would cost what a rest saves.
   void (*jump_down)(void* state, std::int32_t lines);

@@ -4,6 +4,7 @@
 
 #include "firmware/core/isqrt.hpp"
 #include "firmware/core/quick_root.hpp"
+#include "firmware/core/radical_plane.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
@@ -17,21 +18,13 @@ constexpr std::int32_t column_rows = 16;
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
-struct Interval {
-  std::int64_t low, high;
-};
-
-// Dots t0 .. t1 of lines s0 .. s1 of a block.
-struct Part {
-  std::int32_t t0, t1, s0, s1;
-};
-
 std::int64_t discriminant(const DepthBlock& k, std::int32_t t, std::int32_t s) {
   return k.d + part(k.dy + k.dyy * s, s, k.y_bits) + part(k.dx + k.dxy * s + k.dxx * t, t, k.x_bits);
 }
 
-// Of the root in units, errors taken in.
-Interval root_over(const DepthBlock& k, const Part& p) {
+}  // namespace
+
+Interval root_over(const DepthBlock& k, const BlockPart& p) {
   const std::int64_t corners[4] = {discriminant(k, p.t0, p.s0), discriminant(k, p.t1, p.s0),
                                    discriminant(k, p.t0, p.s1), discriminant(k, p.t1, p.s1)};
   const std::int32_t w = p.t1 - p.t0;
@@ -46,6 +39,8 @@ Interval root_over(const DepthBlock& k, const Part& p) {
   const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
   return {std::max<std::int64_t>(root(low) - 3, 0), root(high) + 3};
 }
+
+namespace {
 
 class Maker {
  public:
@@ -199,22 +194,41 @@ int bend_of(const ActiveFace& face) {
   return face.kind == FaceKind::root && face.surface.discriminant.q[0].negative() ? face.sheet : 2;
 }
 
-// DepthProof::inner.
-int inner_face(const ActiveFace& f, const ActiveFace& g) {
-  const int bend = bend_of(f);
-  const int rival = bend_of(g);
-  if (bend == 2 || rival == 2) return 0;
-  if (bend <= 0 && rival >= 0) return -1;
-  if (bend >= 0 && rival <= 0) return 1;
+// c2 of f times that of g times the distance of their middles in depth, f's less g's: a constant where the other second-order terms are
+// in proportion.
+Wide<256> middle_distance(const ActiveFace& f, const ActiveFace& g) {
   using Int = Wide<256>;
   const Int a(f.c[2]);
-  const Int rival_a(g.c[2]);
-  for (int i = 0; i < 6; ++i) {
-    if (i != 2 && Int(f.c[i]) * rival_a != Int(g.c[i]) * a) return 0;
-  }
   const Int middle = Int(f.c[5]).times(f.origin_x - g.origin_x) + Int(f.c[4]).times(f.origin_y - g.origin_y) +
                      a * (Int(f.origin_z) - Int(g.origin_z)) - Int(f.c[8]);
-  return (middle * rival_a + Int(g.c[8]) * a).negative() ? -1 : 1;
+  return middle * Int(g.c[2]) + Int(g.c[8]) * a;
+}
+
+bool are_proportional(const ActiveFace& f, const ActiveFace& g) {
+  using Int = Wide<256>;
+  if (std::equal(f.c.begin(), f.c.begin() + 6, g.c.begin())) return true;
+  const Int a(f.c[2]);
+  const Int rival_a(g.c[2]);
+  for (const int i : {0, 1, 3, 4, 5}) {
+    if (Int(f.c[i]) * rival_a != Int(g.c[i]) * a) return false;
+  }
+  return true;
+}
+
+// Of a proof, what lasts: the inner face, and the radical plane of two front sheets in proportion.
+void compare(const ActiveFace& f, const ActiveFace& g, DepthProof& proof) {
+  const int bend = bend_of(f);
+  const int rival = bend_of(g);
+  if (bend == 2 || rival == 2) return;
+  if (bend <= 0 && rival >= 0) {
+    proof.inner = -1;
+  } else if (bend >= 0 && rival <= 0) {
+    proof.inner = 1;
+  } else if (are_proportional(f, g)) {
+    const Wide<256> k = middle_distance(f, g);
+    proof.inner = k.negative() ? -1 : 1;
+    if (bend < 0) proof.radical = k.negative() ? radical_plane(f, g, -k) : radical_plane(g, f, k);
+  }
 }
 
 }  // namespace
@@ -231,7 +245,7 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
     last = f.proofs.data();
     *last = {};
     last->rival = g.order;
-    last->inner = static_cast<std::int8_t>(inner_face(f, g));
+    compare(f, g, *last);
   }
   DepthProof& proof = *last;
   const std::int32_t margin = (x1 - x0) / 4;
@@ -241,7 +255,11 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
   if (f.block.error < 0 || g.block.error < 0) return proof;
-  proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
+  if (proof.radical.fraction != RadicalPlane::missing) {
+    proof.nearer = static_cast<std::int8_t>(proof.inner * nearer_by_plane(proof.inner < 0 ? f : g, proof));
+  } else {
+    proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
+  }
   if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
   DepthProof near = proof;
   near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - 4));

@@ -20,6 +20,18 @@ inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 do
 // What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
 void make_depth(ActiveFace& face);
 
+struct Interval {
+  std::int64_t low, high;
+};
+
+// Dots t0 .. t1 of lines s0 .. s1 of a block, counted from its first.
+struct BlockPart {
+  std::int32_t t0, t1, s0, s1;
+};
+
+// Of the root of D in units over the part, errors taken in.
+[[nodiscard]] Interval root_over(const DepthBlock& block, const BlockPart& p);
+
 // Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
 void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
 

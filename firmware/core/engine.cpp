@@ -134,7 +134,6 @@ class Engine {
       painter_.begin(y);
       advance(y);
       read_records(y);
-      if (result_.status == DrawStatus::ok) settle_arcs();
       if (result_.status == DrawStatus::ok && y - strip_ == strip_rows) begin_strip(y);
       if (result_.status == DrawStatus::ok) sweep(y);
       if (result_.status == DrawStatus::ok && !options_.measure) put_row(y);
@@ -234,16 +233,18 @@ class Engine {
     const ArcModule* module = modules_.arcs[static_cast<std::size_t>(kind)];
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
     module->load(in_, start, state(number));
-    p_.arcs[number] = {module, last, {}};
+    if (in_.failed()) return;
+    p_.arcs[number] = {module, last, module->settle(state(number))};
     arcs_.add(number);
   }
 
   void read_window(std::int32_t y) {
     const std::uint16_t number = slot(p_.arcs.size());
     if (in_.failed()) return;
-    const ArcSlot& arc = p_.arcs[number];
+    ArcSlot& arc = p_.arcs[number];
     if (arc.last < y || arc.module->enter_window == nullptr) return fail(DrawStatus::bad_record);
     arc.module->enter_window(in_, state(number));
+    if (!in_.failed()) arc.crossing = arc.module->settle(state(number));
   }
 
   void read_cell(std::int32_t y) {
@@ -281,20 +282,16 @@ class Engine {
 
   // --- the sweep ---
 
-  // Steps the arcs to scan line y; arcs and cells whose last line has passed leave. Where a strip begins all wake.
+  // Brings the arcs to scan line y; arcs and cells whose last line has passed leave. Where a strip begins all wake.
   void advance(std::int32_t y) {
     if (y - strip_ == strip_rows) wake_all();
     cells_.remove([&](std::uint16_t number) { return p_.cells[number].last < y; });
-    arcs_.remove([&](std::uint16_t number) { return p_.arcs[number].last < y; });
-    for (const std::uint16_t number : arcs_.awake()) p_.arcs[number].module->step_down(state(number));
-  }
-
-  // After the line's records: an arc may have entered on it, or come to its next window.
-  void settle_arcs() {
-    for (const std::uint16_t number : arcs_.awake()) {
+    arcs_.remove([&](std::uint16_t number) {
       ArcSlot& arc = p_.arcs[number];
-      arc.crossing = arc.module->settle(state(number));
-    }
+      if (arc.last < y) return true;
+      arc.crossing = arc.module->next(state(number));
+      return false;
+    });
   }
 
   // --- strips ---
@@ -316,6 +313,7 @@ class Engine {
   void wake_arc(std::uint16_t number, std::int32_t y) {
     if (number == no_slot || !p_.arcs[number].rests) return;
     jump(number, y);
+    p_.arcs[number].crossing = p_.arcs[number].module->settle(state(number));
     arcs_.wake(number);
   }
 

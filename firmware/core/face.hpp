@@ -66,6 +66,14 @@ struct DepthBlock {
   }
 };
 
+// Of two spheres, a plane that parts where the one is nearer from where the other is: radical_plane.hpp.
+//   l = (c + x x + y y) 2^-fraction        in the inner face's frame, in units of the root of its D
+struct RadicalPlane {
+  static constexpr std::int16_t missing = INT16_MIN;
+  std::int64_t c = 0, x = 0, y = 0;
+  std::int16_t fraction = missing;
+};
+
 // What is known of a face and a rival on dots x0 .. x1 of lines y0 .. y1: -1, the face is the nearer one; 1, the rival is; 0, it takes a
 // closer look. On every line, `inner` is nearer on no dot, on one or on neighbouring ones: -1, the face; 1, the rival; 0, it cannot be told.
 // A rival is told by its order, which no other face has.
@@ -74,6 +82,7 @@ struct DepthProof {
   std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
   std::int8_t nearer = 0, inner = 0;
   std::int16_t crossing = -1;  // about where the order changed on the last line that asked
+  RadicalPlane radical;
 
   [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {
     return y0 <= y && y <= y1 && x0 <= from && to <= x1;

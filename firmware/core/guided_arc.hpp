@@ -65,10 +65,6 @@ struct GuidedArc {
     window = ArcWindow::read(in, origin_x);
     form.load(in, start.x - start.origin_x, start.y - start.origin_y);
   }
-  void step_down() {
-    form.step_y();
-    window.step_y();
-  }
   // On which side of the root the current dot lies: -1 left, 0 on it, 1 right.
   [[nodiscard]] int side() const {
     const int right = rising ? 1 : -1;
@@ -108,8 +104,14 @@ constexpr ArcModule guided_module{
     .bytes = static_cast<std::int32_t>(sizeof(GuidedArc<Form>)),
     .load = [](JobReader& in, const ArcStart& start,
                void* state) { static_cast<GuidedArc<Form>*>(state)->load(in, start); },
-    .step_down = [](void* state) { static_cast<GuidedArc<Form>*>(state)->step_down(); },
     .settle = [](void* state) { return static_cast<GuidedArc<Form>*>(state)->settle(); },
+    .next =
+        [](void* state) {
+          auto& arc = *static_cast<GuidedArc<Form>*>(state);
+          arc.form.step_y();
+          arc.window.step_y();
+          return arc.settle();
+        },
     .enter_window =
         [](JobReader& in, void* state) {
           auto& arc = *static_cast<GuidedArc<Form>*>(state);

@@ -26,6 +26,24 @@ constexpr std::uint64_t high_product(std::uint64_t a, std::uint64_t b) {
   }
 }
 
+// floor(a 2^60 / b) for a < 2 b and b < 2^62
+constexpr std::uint64_t quotient(std::uint64_t a, std::uint64_t b) {
+  if constexpr (limb_bits == 64) {
+    return static_cast<std::uint64_t>((static_cast<DoubleLimb>(a) << 60) / b);
+  } else {
+    std::uint64_t bits = 0;
+    for (int bit = 0; bit <= 60; ++bit) {
+      bits <<= 1;
+      if (a >= b) {
+        a -= b;
+        bits |= 1;
+      }
+      a <<= 1;
+    }
+    return bits;
+  }
+}
+
 class Real {
  public:
   constexpr Real() = default;
@@ -75,17 +93,7 @@ class Real {
     const std::uint64_t divisor = magnitude(b.m_);
     if (divisor >> 61 == 0) return unknown();
     if (a.is_zero()) return {};
-    std::uint64_t rest = magnitude(a.m_);
-    std::uint64_t quotient = 0;
-    for (int bit = 0; bit <= 60; ++bit) {
-      quotient <<= 1;
-      if (rest >= divisor) {
-        rest -= divisor;
-        quotient |= 1;
-      }
-      rest <<= 1;
-    }
-    const auto m = static_cast<std::int64_t>(quotient);
+    const auto m = static_cast<std::int64_t>(quotient(magnitude(a.m_), divisor));
     return normalised((a.m_ < 0) != (b.m_ < 0) ? -m : m, a.error_ + 2 * b.error_ + 2, a.e_ - b.e_ - 60);
   }
 

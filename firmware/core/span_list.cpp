@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/core/radical_plane.hpp"
+
 namespace halfspace {
 
 void SpanList::clear(std::int32_t y) {
@@ -44,6 +46,16 @@ bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t 
   DepthProof nothing;
   DepthProof& proof = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : nothing;
   if (proof.nearer != 0) return add(proof.nearer < 0 ? face : old_face, x0, x1);
+  if (proof.radical.fraction != RadicalPlane::missing) {
+    const std::uint16_t inner = proof.inner < 0 ? face : old_face;
+    const std::uint16_t outer = proof.inner < 0 ? old_face : face;
+    InnerDots dots;
+    if (find_inner_dots(faces_[inner], proof, y_, x0, x1, dots)) {
+      if (dots.from > dots.to) return add(outer, x0, x1);
+      return (dots.from == x0 || add(outer, x0, dots.from - 1)) && add(inner, dots.from, dots.to) &&
+             (dots.to == x1 || add(outer, dots.to + 1, x1));
+    }
+  }
   DepthOrder order(faces_[face], faces_[old_face], proof, y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();

@@ -17,7 +17,7 @@ inline constexpr std::size_t no_family = static_cast<std::size_t>(-1);
 
 struct Kinship {
   std::size_t family = no_family;  // numbered within its group
-  Real ratio = 1;
+  Real ratio = 1;                  // of the shape as it is placed (placement.cpp): its first coefficient that is not 0
   Real constant = 0;
   // Ranks say what a quadric is (spectrum.hpp). Exact, so that no tolerance is needed to tell a cone from its shells.
   std::size_t squares = 3;           // of the second-order part
@@ -25,7 +25,7 @@ struct Kinship {
   std::size_t parallel = no_family;  // numbered within its group
 };
 
-// Of a group's quadrics, in their order.
+// Of a group's quadrics, in their order; without the ratios.
 [[nodiscard]] std::vector<Kinship> kinships_of(std::span<const QuadricStatement> quadrics);
 
 }  // namespace halfspace

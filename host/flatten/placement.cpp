@@ -84,13 +84,6 @@ RealHalfSpace real_half_space(HalfSpaceKind kind, const std::array<Number, n>& c
   return normalised(h);
 }
 
-// What `normalised` divides by.
-Real largest_coefficient(const QuadricStatement& s) {
-  Real most = 0;
-  for (const Number& number : s.coefficients) most = larger(most, magnitude(decimal_to_real(number.text)));
-  return most;
-}
-
 // Keeps the coefficients of a group's statements, whose decimals are read once for all copies.
 using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
 
@@ -114,7 +107,7 @@ GroupShapes shapes_of(const Group& group) {
       continue;
     }
     shapes[s.id] = {shape, 0, s.transparent, s.id, s.position, kinships[i]};
-    shapes[s.id].kin.ratio = kinships[i].ratio / largest_coefficient(s);
+    shapes[s.id].kin.ratio = *std::find_if(shape.c.begin(), shape.c.end(), [](Real v) { return v != 0; });
   }
   return shapes;
 }

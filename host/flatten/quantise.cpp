@@ -1,5 +1,6 @@
 #include "host/flatten/quantise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -60,20 +61,21 @@ class RoundingLimit {
  public:
   explicit RoundingLimit(Real limit) : limit_(static_cast<double>(limit)) {}
 
-  void add(Real c, Real weight) {
-    const auto near = static_cast<double>(weight);
-    terms_[count_++] = {c, near};
-    weights_ += near;
+  void add(Real c, double weight) {
+    terms_[count_++] = {c, weight};
+    weights_ += weight;
   }
 
   [[nodiscard]] std::optional<bool> holds(int bits) const {
     constexpr double most = 0x1p400;  // far from where doubles end
     if (!(limit_ > 1 / most && limit_ < most && weights_ < most)) return std::nullopt;
-    double sum = 0;
-    for (std::size_t i = 0; i < count_; ++i) sum += terms_[i].weight * std::abs(rounding_of(terms_[i].c, bits));
     const double most_sum = std::ldexp(limit_, bits);
     const double slack = weights_ * 0x1p-52 + most_sum * 0x1p-44;
-    if (sum > most_sum + slack) return false;
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      sum += terms_[i].weight * std::abs(rounding_of(terms_[i].c, bits));
+      if (sum > most_sum + slack) return false;
+    }
     if (sum < most_sum - slack) return true;
     return std::nullopt;
   }
@@ -100,7 +102,7 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   const Real size = length({form[0], form[1], form[2]});
   const auto bound = [&](Real scale) { return reach(residual_of(form, scale), box) / (scale * size); };
   RoundingLimit limit(box.target * size);
-  for (std::size_t i = 0; i < 4; ++i) limit.add(form[i], i < 3 ? box.half[i] : Real(1));
+  for (std::size_t i = 0; i < 4; ++i) limit.add(form[i], i < 3 ? static_cast<double>(box.half[i]) : 1);
   const auto scale =
       least_scale([&](int bits) { return limit.holds(bits); }, [&](Real s) { return bound(s) <= box.target; });
   if (!scale) return std::nullopt;
@@ -211,11 +213,12 @@ class CentralLimits {
  public:
   CentralLimits(const RealHalfSpace& h, const ReducedQuadric& reduced, Real bending, Real gradient, const LocalBox& box)
       : bending_(bending), value_(most_value(reduced, gradient, box)) {
-    const Vector4 half{box.half[0], box.half[1], box.half[2], 1};
+    std::array<double, 4> half{0, 0, 0, 1};
+    std::transform(box.half.begin(), box.half.end(), half.begin(), [](Real v) { return static_cast<double>(v); });
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i; j < 4; ++j) {
         const Real c = h.c[quadric_index[i][j]];
-        const Real times = i == j ? 1 : 2;
+        const double times = i == j ? 1 : 2;
         value_.add(c, times * half[i] * half[j]);
         if (j < 3) bending_.add(c, times);
       }
@@ -224,8 +227,9 @@ class CentralLimits {
 
   [[nodiscard]] std::optional<bool> hold(int bits) const {
     const std::optional<bool> bending = bending_.holds(bits);
+    if (!bending.value_or(true)) return false;
     const std::optional<bool> value = value_.holds(bits);
-    if (!bending.value_or(true) || !value.value_or(true)) return false;
+    if (!value.value_or(true)) return false;
     return bending && value ? std::optional(true) : std::nullopt;
   }
 

@@ -1,6 +1,6 @@
 #include "host/flatten/rational.hpp"
 
-#include <cctype>
+#include <cstdint>
 #include <cstdlib>
 #include <utility>
 
@@ -52,25 +52,35 @@ std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> va
   return result;
 }
 
+// Digits are gathered in a word, as many as one holds.
 Decimal decimal_of(const std::string& text) {
-  std::string digits;
-  long exponent = 0;
+  constexpr std::uint64_t most = 1'000'000'000'000'000'000;
+  Decimal result;
+  std::uint64_t gathered = 0;
+  std::uint64_t power = 1;
+  const auto flush = [&] {
+    result.digits = result.digits * power + gathered;
+    gathered = 0;
+    power = 1;
+  };
   bool fraction = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
-      digits += c;
-      if (fraction) --exponent;
-    } else if (c == '-') {
-      digits += c;
+    if (c >= '0' && c <= '9') {
+      if (power == most) flush();
+      gathered = gathered * 10 + static_cast<std::uint64_t>(c - '0');
+      power *= 10;
+      if (fraction) --result.exponent;
     } else if (c == '.') {
       fraction = true;
     } else if (c == 'e' || c == 'E') {
-      exponent += std::strtol(text.c_str() + i + 1, nullptr, 10);
+      result.exponent += std::strtol(text.c_str() + i + 1, nullptr, 10);
       break;
     }
   }
-  return {mpz_class(digits, 10), exponent};  // a leading zero must not make it octal
+  flush();
+  if (text.front() == '-') mpz_neg(result.digits.get_mpz_t(), result.digits.get_mpz_t());
+  return result;
 }
 
 mpq_class decimal_to_rational(const std::string& text) {

@@ -28,13 +28,17 @@ void JobBytes::wide(const mpz_class& value) {
   const bool is_power = negative && mpn_scan1(mpz_limbs_read(size), 0) + 1 == bits;
   const std::size_t length = (is_power ? bits - 1 : bits) / 8 + 1;
   byte(static_cast<std::uint8_t>(length));
+  const std::size_t end = bytes_.size() + length;
+  bytes_.resize(end + 7);  // whole limbs
+  std::uint8_t* out = &bytes_[end - length];
   bool carry = negative;
-  for (std::size_t i = 0; i < length; i += 8) {
+  for (std::size_t i = 0; i < length; i += 8, out += 8) {
     mp_limb_t limb = mpz_getlimbn(size, static_cast<mp_size_t>(i / 8));
     if (negative) limb = ~limb + (carry ? 1 : 0);
     carry = carry && limb == 0;
-    for (std::size_t k = i; k < std::min(i + 8, length); ++k, limb >>= 8) byte(static_cast<std::uint8_t>(limb));
+    for (std::size_t k = 0; k < 8; ++k) out[k] = static_cast<std::uint8_t>(limb >> (8 * k));
   }
+  bytes_.resize(end);
 }
 
 }  // namespace halfspace

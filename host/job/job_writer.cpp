@@ -1,6 +1,8 @@
 #include "host/job/job_writer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <queue>
 #include <span>
 #include <string>
@@ -23,26 +25,22 @@ struct Lifetime {
   std::uint32_t slot = 0;
 };
 
-// Assigns slots in order of entry, the lowest free one first; returns how many are needed. Lines are 0 .. lines - 1.
-std::int32_t assign_slots(std::vector<Lifetime>& lives, std::int32_t lines) {
+// Assigns slots in order of entry, the lowest free one first; returns how many are needed.
+std::int32_t assign_slots(std::vector<Lifetime>& lives) {
   std::stable_sort(lives.begin(), lives.end(), [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
-  constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> last_of(static_cast<std::size_t>(lines), none);  // a life that ends on the line
-  std::vector<std::uint32_t> next(lives.size());                              // another that does
+  using End = std::pair<std::int32_t, std::uint32_t>;  // a last line and its slot
+  std::priority_queue<End, std::vector<End>, std::greater<>> ends;
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
   std::uint32_t count = 0;
-  std::int32_t line = 0;
-  for (std::uint32_t i = 0; i < lives.size(); ++i) {
-    for (; line < lives[i].y0; ++line) {
-      for (std::uint32_t k = last_of[static_cast<std::size_t>(line)]; k != none; k = next[k]) free.push(lives[k].slot);
-    }
+  for (Lifetime& life : lives) {
+    for (; !ends.empty() && ends.top().first < life.y0; ends.pop()) free.push(ends.top().second);
     if (free.empty()) {
-      lives[i].slot = count++;
+      life.slot = count++;
     } else {
-      lives[i].slot = free.top();
+      life.slot = free.top();
       free.pop();
     }
-    next[i] = std::exchange(last_of[static_cast<std::size_t>(lives[i].y1)], i);
+    ends.emplace(life.y1, life.slot);
   }
   return static_cast<std::int32_t>(count);
 }
@@ -197,9 +195,9 @@ void JobWriter::collect() {
   }
   std::erase_if(faces, [](const Lifetime& life) { return life.y1 < life.y0; });
   JobNeeds& needs = result_.header.needs;
-  needs.faces = assign_slots(faces, scene_.height);
-  needs.arcs = assign_slots(arcs, scene_.height);
-  needs.cells = assign_slots(cells, scene_.height);
+  needs.faces = assign_slots(faces);
+  needs.arcs = assign_slots(arcs);
+  needs.cells = assign_slots(cells);
   face_slot_.resize(resolved_.faces.size());
   arc_slot_.resize(resolved_.arcs.size());
   for (const Lifetime& l : faces) {
@@ -306,22 +304,25 @@ void JobWriter::write_face(std::uint32_t index) {
   }
 }
 
-// The dot at or left of which a conic or a line crosses scan line y, local.
-mpz_class root_near(const Curve& curve, Branch branch, std::int64_t line) {
-  const mpz_class y = static_cast<long>(line);
-  const auto& q = curve.q;
-  const mpz_class b = q[1] * y + q[3];
-  const mpz_class c = (q[2] * y + q[4]) * y + q[5];
-  if (branch == Branch::single) return b == 0 ? mpz_class(0) : mpz_class(-c / b);
-  const mpz_class root = sqrt(mpz_class(abs(b * b - 4 * q[0] * c)));
-  return (branch == Branch::left ? mpz_class(-b - root) : mpz_class(-b + root)) / (2 * q[0]);
+// About where a conic or a line crosses scan line y, local: the core may begin anywhere, so doubles will do.
+double root_near(const Curve& curve, Branch branch, std::int64_t line) {
+  const auto y = static_cast<double>(line);
+  std::array<double, 6> q;
+  std::transform(curve.q.begin(), curve.q.end(), q.begin(), [](const mpz_class& c) { return c.get_d(); });
+  const double b = q[1] * y + q[3];
+  const double c = (q[2] * y + q[4]) * y + q[5];
+  if (branch == Branch::single) return b == 0 ? 0 : -c / b;
+  const double root = std::sqrt(std::max(b * b - 4 * q[0] * c, 0.0));
+  const double far = b < 0 ? root - b : -b - root;  // the root that suffers from no cancellation, times 2 q0 > 0
+  if (far == 0) return 0;
+  return (branch == Branch::left) == (far < 0) ? far / (2 * q[0]) : 2 * c / far;
 }
 
 // A dot of the window's first line, local: its middle, or beside its only separator.
-mpz_class middle(const Window& window, std::int64_t otherwise) {
-  const auto dot = [](const Separator& s) { return mpz_class(static_cast<long>(s.at >> separator_fraction)); };
+double middle(const Window& window, std::int64_t otherwise) {
+  const auto dot = [](const Separator& s) { return static_cast<double>(s.at >> separator_fraction); };
   if (window.left && window.right) return (dot(*window.left) + dot(*window.right)) / 2;
-  return window.left ? dot(*window.left) : window.right ? dot(*window.right) : mpz_class(static_cast<long>(otherwise));
+  return window.left ? dot(*window.left) : window.right ? dot(*window.right) : static_cast<double>(otherwise);
 }
 
 // Where the core begins to look for the arc on its first line: clamped to the scissor.
@@ -329,12 +330,11 @@ std::int64_t JobWriter::start_x(const Arc& arc) const {
   const auto& origin = scene_.bodies[arc.body].origin;
   const Scissor& s = scene_.scissor;
   const Curve* curve = std::get_if<Curve>(&arc.form);
-  const mpz_class local = curve != nullptr ? root_near(*curve, arc.branch, arc.y0 - origin[1])
-                                           : middle(arc.guide.windows.front(), (s.x0 + s.x1) / 2 - origin[0]);
-  const mpz_class x = local + static_cast<long>(origin[0]);
-  const mpz_class low = s.x0;
-  const mpz_class high = s.x1 + 1;
-  return (x < low ? low : x > high ? high : x).get_si();
+  const double local = curve != nullptr ? root_near(*curve, arc.branch, arc.y0 - origin[1])
+                                        : middle(arc.guide.windows.front(), (s.x0 + s.x1) / 2 - origin[0]);
+  const double low = static_cast<double>(s.x0 - origin[0]);
+  const double high = static_cast<double>(s.x1 + 1 - origin[0]);
+  return static_cast<std::int64_t>(std::clamp(local, low, high)) + origin[0];
 }
 
 void write_separators(JobBytes& out, const Window& window) {

@@ -1,6 +1,7 @@
 #include "host/job/limits.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
@@ -10,7 +11,9 @@
 namespace halfspace {
 namespace {
 
-int bits_of_int(std::int64_t value) { return bits_of(mpz_class(static_cast<long>(value))); }
+int bits_of_int(std::int64_t value) {
+  return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(value))));
+}
 
 // The farthest local coordinate that a dot of the scissor, or one beside it, can have.
 struct Extent {
@@ -163,9 +166,12 @@ struct KindOfForm {
 
   std::optional<ArcKind> operator()(const Curve& curve) const {
     // A difference is at most twice the value, the slope test and a step beyond twice that again.
-    const int above = largest_value<Above>(curve, e) + 5;
-    const int bits = above <= 64 ? above : largest_value<Exact>(curve, e) + 5;
-    return narrowest(bits, {64, 128, 256}, is_line(curve) ? ArcKind::line64 : ArcKind::conic64);
+    const auto kind_of = [&curve](int bits) {
+      return narrowest(bits + 5, {64, 128, 256}, is_line(curve) ? ArcKind::line64 : ArcKind::conic64);
+    };
+    const int above = largest_value<Above>(curve, e);  // by a bit too many, if any
+    const auto kind = kind_of(above);
+    return kind == kind_of(above - 1) ? kind : kind_of(largest_value<Exact>(curve, e));
   }
   // These are always wide and wrap: a difference may be lost, the values whose signs are asked are not (registers.hpp). The
   // predicate's products have three times the width, so they need no proof of their own.

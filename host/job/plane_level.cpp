@@ -1,5 +1,7 @@
 #include "host/job/plane_level.hpp"
 
+#include <algorithm>
+
 namespace halfspace {
 
 int plane_level(const IntegerScene& scene, const IntegerBody& body, const IntegerHalfSpace& plane) {
@@ -18,20 +20,16 @@ int plane_level(const IntegerScene& scene, const IntegerBody& body, const Intege
     l2 += l * l;
   }
   if (plane.complement) along = -along;
-  const long most = scene.levels - 1;
-  const mpz_class reach = most * static_cast<long>(lighting.parallel) * along;
-  const auto reaches = [&](long k) {
-    // (levels - 1) (ambient + parallel cos) >= k unit  <=>  t |l| |N| <= (levels - 1) parallel (l . N)
-    const mpz_class t = k * static_cast<long>(lighting.unit) - most * static_cast<long>(lighting.ambient);
-    return t <= 0 || (along > 0 && reach * reach >= t * t * l2 * n2);
-  };
-  long low = 0;
-  long high = most + 1;
-  while (high - low > 1) {
-    const long middle = (low + high) / 2;
-    (reaches(middle) ? low : high) = middle;
+  // Level k is reached where (levels - 1) (ambient + parallel cos) >= k unit, or, with t = k unit - (levels - 1) ambient, where
+  // t |l| |N| <= (levels - 1) parallel (l . N): t is 0 or less, or its square no more than the quotient of these squares.
+  const mpz_class most = scene.levels - 1;
+  mpz_class t = 0;
+  if (along > 0) {
+    const mpz_class reach = most * static_cast<long>(lighting.parallel) * along;
+    t = sqrt(mpz_class(reach * reach / (l2 * n2)));
   }
-  return static_cast<int>(low);
+  const mpz_class level = (t + most * static_cast<long>(lighting.ambient)) / static_cast<long>(lighting.unit);
+  return static_cast<int>(std::min(level, most).get_si());
 }
 
 }  // namespace halfspace

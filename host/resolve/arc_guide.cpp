@@ -25,7 +25,10 @@ class Windows {
  public:
   Windows(const FormOnSheet& form, int rank, KnownLines& lines, QuarticTable& table)
       : form_(form), rank_(rank), lines_(lines), table_(table), n_(form.has_limb() ? form.value().n : form.part) {
-    if (form.has_limb()) d_.emplace(as_quartic(form.sheets->d));
+    if (!form.has_limb()) return;
+    d_.emplace(as_quartic(form.sheets->d));
+    p_.emplace(as_quartic(form.value().p));
+    r_.emplace(as_quartic(form.value().r));
   }
 
   // On the lines y0 .. y1 of a row of the form.
@@ -133,10 +136,10 @@ class Windows {
   // The form's sign all along the separator; 0 where it may vanish.
   static int sign_along(const Separator& separator, std::int64_t y0, std::int64_t length, const Tested& form) {
     constexpr double unit = separator_unit;
-    const int certain =
+    const auto certain =
         form.near.along(static_cast<double>(separator.at) / unit, static_cast<double>(separator.step) / unit,
                         static_cast<double>(y0), static_cast<double>(length));
-    if (certain != 0) return certain;
+    if (certain) return *certain;
     const Polynomial p = along(from_line(form.exact, static_cast<long>(y0)), static_cast<long>(separator.at),
                                static_cast<long>(separator.step), separator_unit);
     return surely_without_zero(p, 0, static_cast<long>(length)) ? sgn(p[0]) : 0;
@@ -149,10 +152,9 @@ class Windows {
     const int d = sign(*d_);
     if (d <= 0) return d < 0;
     if (sign(n_) != 0) return true;
-    const Constraint& k = form_.value();
     const int t = form_.sheet == Sheet::front ? -1 : 1;
-    const int p = sign(Tested(as_quartic(k.p)));
-    return p != 0 && p == t * sign(Tested(as_quartic(k.r)));
+    const int p = sign(*p_);
+    return p != 0 && p == t * sign(*r_);
   }
 
   const FormOnSheet& form_;
@@ -160,7 +162,7 @@ class Windows {
   KnownLines& lines_;
   QuarticTable& table_;
   Tested n_;  // the form, or on two sheets P^2 - R^2 d
-  std::optional<Tested> d_;
+  std::optional<Tested> d_, p_, r_;
   std::vector<ProvedWindow> windows_;
 };
 

@@ -67,18 +67,33 @@ Curve operator-(Curve p, const Curve& q) {
   return p;
 }
 
-Curve operator*(const mpz_class& factor, Curve p) {
-  for (mpz_class& coefficient : p.q) {
-    if (sgn(coefficient) != 0) coefficient *= factor;
+Curve operator*(const mpz_class& factor, const Curve& p) {
+  Curve product;
+  for (std::size_t i = 0; i < p.q.size(); ++i) {
+    if (sgn(p.q[i]) != 0) product.q[i] = factor * p.q[i];
   }
+  return product;
+}
+
+Curve plus_multiple(Curve p, const mpz_class& factor, const Curve& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) mpz_addmul(p.q[i].get_mpz_t(), factor.get_mpz_t(), q.q[i].get_mpz_t());
+  return p;
+}
+
+Curve minus_multiple(Curve p, const mpz_class& factor, const Curve& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) mpz_submul(p.q[i].get_mpz_t(), factor.get_mpz_t(), q.q[i].get_mpz_t());
   return p;
 }
 
 Curve product_of_lines(const Curve& l, const Curve& m) {
   const auto& a = l.q;
   const auto& b = m.q;
-  return {{a[3] * b[3], a[3] * b[4] + a[4] * b[3], a[4] * b[4], a[3] * b[5] + a[5] * b[3], a[4] * b[5] + a[5] * b[4],
-           a[5] * b[5]}};
+  const auto mixed = [&](std::size_t i, std::size_t j) {
+    mpz_class sum = a[i] * b[j];
+    mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[i].get_mpz_t());
+    return sum;
+  };
+  return {{a[3] * b[3], mixed(3, 4), a[4] * b[4], mixed(3, 5), mixed(4, 5), a[5] * b[5]}};
 }
 
 bool is_zero(const Curve& p) {

@@ -14,7 +14,11 @@ namespace halfspace {
 [[nodiscard]] Curve constant_curve(const mpz_class& value);
 [[nodiscard]] Curve operator+(Curve p, const Curve& q);
 [[nodiscard]] Curve operator-(Curve p, const Curve& q);
-[[nodiscard]] Curve operator*(const mpz_class& factor, Curve p);
+[[nodiscard]] Curve operator*(const mpz_class& factor, const Curve& p);
+
+// p + factor q, and p - factor q, without numbers in between.
+[[nodiscard]] Curve plus_multiple(Curve p, const mpz_class& factor, const Curve& q);
+[[nodiscard]] Curve minus_multiple(Curve p, const mpz_class& factor, const Curve& q);
 
 // The product of two polynomials of first order (q0 = q1 = q2 = 0 in both).
 [[nodiscard]] Curve product_of_lines(const Curve& l, const Curve& m);

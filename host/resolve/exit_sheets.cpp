@@ -39,9 +39,10 @@ HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets) {
   return {!positive, positive};
 }
 
-bool has_rivals(const Sheets& sheets, const BoundingCurves& bounds) {
-  return std::any_of(bounds.curves.begin(), bounds.curves.end(), [](const TracedCurve& c) { return c.later; }) ||
-         (!bounds.quartics.empty() && sheets.constraints.back().half_space > sheets.half_space);
+bool has_rivals(const Sheets& sheets) {
+  return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&sheets](const Constraint& k) {
+    return k.half_space > sheets.half_space && (sheets.shape != SheetShape::flat || !is_constant(k.p));
+  });
 }
 
 std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,

@@ -27,7 +27,7 @@ struct HiddenExits {
 [[nodiscard]] HiddenExits hidden_exits(const IntegerBody& body, const Sheets& sheets);
 
 // May anything of an exit sheet win a tie?
-[[nodiscard]] bool has_rivals(const Sheets& sheets, const BoundingCurves& bounds);
+[[nodiscard]] bool has_rivals(const Sheets& sheets);
 
 // What is left of an exit sheet's intervals on scan line y, where it may win a tie: the roots on curves of later half-spaces, as
 // intervals of one point; everything where such a curve holds the whole line.

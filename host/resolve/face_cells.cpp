@@ -96,6 +96,7 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, Sheet sheet, 
                                            const std::vector<RowInterval>& intervals, bool in_dots,
                                            const Extent& extent) {
   std::vector<NamedInterval> named;
+  named.reserve(intervals.size());
   for (const RowInterval& interval : intervals) {
     NamedInterval next;
     const auto names = [&](int root, bool open, bool left_side) {
@@ -114,23 +115,23 @@ std::vector<NamedInterval> named_intervals(const FaceCurves& face, Sheet sheet, 
 
 std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
                                   QuarticTable& table, ArcTable& arcs) {
-  if (sheets.shape == SheetShape::none) return {};
-  const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<FaceCells> faces;
   std::vector<SheetPresence> presences;
   std::vector<bool> hidden;
   for (const Sheet sheet : sheets_in(sheets)) {
     const bool is_exit = sheet == Sheet::back ? exits.back : exits.front;
-    if (is_exit && !has_rivals(sheets, face.bounds)) continue;
+    if (is_exit && !has_rivals(sheets)) continue;
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
     hidden.push_back(is_exit);
   }
   if (faces.empty()) return {};
+  const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<CellBuilder> builders(faces.size());
   const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
+  RowRoots finder(sheets, face.bounds, table);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
-    const std::vector<RowRoot> roots = roots_on_line(sheets, face.bounds, row.y0, table);
+    const std::vector<RowRoot>& roots = finder.on_line(row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Sheet sheet = faces[i].sheet;
       auto intervals = row_intervals(roots, row.y0, presences[i], face.pole);

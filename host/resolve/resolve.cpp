@@ -51,6 +51,7 @@ void use_arcs(const IntegerBody& body, const FaceCells& face, ArcTable& arcs) {
 
 std::vector<Sheets> opaque_sheets(const IntegerBody& body, const Extent& extent) {
   std::vector<Sheets> all;
+  all.reserve(body.half_spaces.size());
   for (std::uint32_t i = 0; i < body.half_spaces.size(); ++i) {
     if (body.half_spaces[i].transparent) continue;
     Sheets sheets = sheets_of(body, i);

@@ -18,40 +18,57 @@ bool passes_through(const RowRoot& root, std::uint32_t curve) {
                      [curve](const CurveBranch& b) { return b.curve == curve; });
 }
 
-// Cell 0, root 0, cell 1, ... cell n: does each show?
-std::vector<bool> shown_pieces(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
-                               std::uint32_t pole) {
-  std::vector<bool> shown(2 * roots.size() + 1);
-  for (std::size_t i = 0; i <= roots.size(); ++i) {
-    shown[2 * i] = presence.shows_at(sample(roots, i), y);
+// Gathers the pieces cell 0, root 0, cell 1, ... cell n in their order: runs of those that show.
+class Runs {
+ public:
+  explicit Runs(int pieces) : last_piece_(pieces - 1) {}
+
+  void add(bool shown) {
+    if (shown && first_ == none) first_ = piece_;
+    if (!shown) end_run();
+    ++piece_;
   }
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (passes_through(roots[i], pole)) continue;
-    shown[2 * i + 1] = shown[2 * i] || shown[2 * i + 2] || presence.shows_at(roots[i].x, y);
+
+  std::vector<RowInterval> take() {
+    end_run();
+    return std::move(intervals_);
   }
-  return shown;
-}
+
+ private:
+  static constexpr int none = -1;
+
+  void end_run() {
+    if (first_ == none) return;
+    const int last = piece_ - 1;
+    RowInterval interval;
+    interval.left_open = first_ % 2 == 0 && first_ > 0;
+    interval.right_open = last % 2 == 0 && last < last_piece_;
+    interval.left = first_ == 0 ? unbounded : (first_ - 1) / 2;
+    interval.right = last == last_piece_ ? unbounded : last / 2;
+    intervals_.push_back(interval);
+    first_ = none;
+  }
+
+  int last_piece_;
+  int piece_ = 0;
+  int first_ = none;  // of the run
+  std::vector<RowInterval> intervals_;
+};
 
 }  // namespace
 
 std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
                                        std::uint32_t pole) {
-  const std::vector<bool> shown = shown_pieces(roots, y, presence, pole);
-  std::vector<RowInterval> intervals;
-  const int pieces = static_cast<int>(shown.size());
-  for (int first = 0; first < pieces; ++first) {
-    if (!shown[first]) continue;
-    int last = first;
-    while (last + 1 < pieces && shown[last + 1]) ++last;
-    RowInterval interval;
-    interval.left_open = first % 2 == 0 && first > 0;
-    interval.right_open = last % 2 == 0 && last < pieces - 1;
-    interval.left = first == 0 ? unbounded : (first - 1) / 2;
-    interval.right = last == pieces - 1 ? unbounded : last / 2;
-    intervals.push_back(interval);
-    first = last;
+  Runs runs(2 * static_cast<int>(roots.size()) + 1);
+  bool left = presence.shows_at(sample(roots, 0), y);
+  runs.add(left);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const bool right = presence.shows_at(sample(roots, i + 1), y);
+    runs.add(!passes_through(roots[i], pole) && (left || right || presence.shows_at(roots[i].x, y)));
+    runs.add(right);
+    left = right;
   }
-  return intervals;
+  return runs.take();
 }
 
 }  // namespace halfspace

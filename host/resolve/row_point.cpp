@@ -21,16 +21,15 @@ const LineRoot& RowPoint::exact() const {
   return *exact_;
 }
 
-std::vector<RowPoint> roots_on_row(const Curve& curve, const IntervalCurve& enclosed, std::int64_t y) {
-  std::vector<RowPoint> points;
+void append_roots_on_row(const Curve& curve, const IntervalCurve& enclosed, std::int64_t y,
+                         std::vector<RowPoint>& points) {
   const auto line = static_cast<double>(y);
   const auto sure = roots_in_x(enclosed, {line, line});
   if (!sure || sure->is_hull) {
     for (LineRoot& x : real_roots(restricted(curve, static_cast<long>(y)))) points.emplace_back(std::move(x));
-    return points;
+    return;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(sure->count); ++i) points.emplace_back(curve, y, i, sure->x[i]);
-  return points;
 }
 
 int compare(const RowPoint& a, const RowPoint& b) {

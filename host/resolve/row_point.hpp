@@ -31,8 +31,9 @@ class RowPoint {
   mutable std::optional<LineRoot> exact_;
 };
 
-// The real roots of a curve on a scan line, ascending, a double root once.
-[[nodiscard]] std::vector<RowPoint> roots_on_row(const Curve& curve, const IntervalCurve& enclosed, std::int64_t y);
+// Appends the real roots of a curve on a scan line, ascending, a double root once.
+void append_roots_on_row(const Curve& curve, const IntervalCurve& enclosed, std::int64_t y,
+                         std::vector<RowPoint>& points);
 
 // -1, 0, 1: the sign of a - b.
 [[nodiscard]] int compare(const RowPoint& a, const RowPoint& b);

@@ -13,50 +13,12 @@ int sign_of_slope(const Curve& curve, std::int64_t y) {
   return sgn(mpz_class(curve.q[1] * static_cast<long>(y) + curve.q[3]));
 }
 
-// The roots of one curve, ascending, each under the names of its branches.
-std::vector<RowRoot> roots_of_curve(const TracedCurve& traced, std::uint32_t index, std::int64_t y) {
-  std::vector<RowRoot> named;
-  for (RowPoint& x : roots_on_row(traced.curve, traced.enclosed, y)) named.push_back({std::move(x), {}, {}});
-  if (named.empty()) return named;
-  if (sgn(traced.curve.q[0]) == 0) {
-    named.front().curves = {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
-  } else if (named.size() == 1) {
-    named.front().curves = {{index, Branch::left, false}, {index, Branch::right, false}};
-  } else {
-    named[0].curves = {{index, Branch::left, false}};
-    named[1].curves = {{index, Branch::right, false}};
-  }
-  return named;
-}
-
-// The roots of one quartic, ascending, each under its names on the sheets where it is a root of a constraint.
-std::vector<RowRoot> roots_of_quartic(const Sheets& sheets, const TracedQuartic& traced, std::uint32_t index,
-                                      std::int64_t y, QuarticTable& table) {
-  std::vector<RowRoot> named;
-  for (const LineRoot& x : table.roots(traced.curve, y)) named.push_back({RowPoint(LineRoot(x)), {}, {}});
-  if (named.empty()) return named;
-  for (const std::uint32_t constraint : traced.constraints) {
-    const ValueOnLine value(sheets, sheets.constraints[constraint], static_cast<long>(y));
-    for (const Sheet sheet : sheets_in(sheets)) {
-      std::uint32_t rank = 0;
-      for (RowRoot& root : named) {
-        if (value.vanishes(sheet, root.x.exact())) root.quartics.push_back({index, constraint, sheet, rank++});
-      }
-    }
-  }
-  return named;
-}
-
-void insert_root(RowRoot&& root, std::vector<RowRoot>& roots) {
-  auto at = roots.begin();
-  int order = -1;
-  while (at != roots.end() && (order = compare(root.x, at->x)) > 0) ++at;
-  if (at != roots.end() && order == 0) {
-    at->curves.insert(at->curves.end(), root.curves.begin(), root.curves.end());
-    at->quartics.insert(at->quartics.end(), root.quartics.begin(), root.quartics.end());
-  } else {
-    roots.insert(at, std::move(root));
-  }
+// The names of a curve's root number `root` of `count` on line y.
+std::vector<CurveBranch> branches_at(const TracedCurve& traced, std::uint32_t index, std::int64_t y, std::size_t root,
+                                     std::size_t count) {
+  if (sgn(traced.curve.q[0]) == 0) return {{index, Branch::single, sign_of_slope(traced.curve, y) < 0}};
+  if (count == 1) return {{index, Branch::left, false}, {index, Branch::right, false}};
+  return {{index, root == 0 ? Branch::left : Branch::right, false}};
 }
 
 }  // namespace
@@ -81,16 +43,57 @@ std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, 
   return rows;
 }
 
-std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y,
-                                   QuarticTable& table) {
-  std::vector<RowRoot> roots;
-  for (std::uint32_t i = 0; i < bounds.curves.size(); ++i) {
-    for (RowRoot& root : roots_of_curve(bounds.curves[i], i, y)) insert_root(std::move(root), roots);
+RowRoots::RowRoots(const Sheets& sheets, const BoundingCurves& bounds, QuarticTable& table)
+    : sheets_(sheets), bounds_(bounds), table_(table) {
+  points_.reserve(2);
+  roots_.reserve(2 * bounds.curves.size() + 4 * bounds.quartics.size());
+}
+
+const std::vector<RowRoot>& RowRoots::on_line(std::int64_t y) {
+  roots_.clear();
+  for (std::uint32_t i = 0; i < bounds_.curves.size(); ++i) add_curve(i, y);
+  for (std::uint32_t i = 0; i < bounds_.quartics.size(); ++i) add_quartic(i, y);
+  return roots_;
+}
+
+// Each root under the names of its branches.
+void RowRoots::add_curve(std::uint32_t index, std::int64_t y) {
+  const TracedCurve& traced = bounds_.curves[index];
+  points_.clear();
+  append_roots_on_row(traced.curve, traced.enclosed, y, points_);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    insert({std::move(points_[i]), branches_at(traced, index, y, i, points_.size()), {}});
   }
-  for (std::uint32_t i = 0; i < bounds.quartics.size(); ++i) {
-    for (RowRoot& root : roots_of_quartic(sheets, bounds.quartics[i], i, y, table)) insert_root(std::move(root), roots);
+}
+
+// Each root under its names on the sheets where it is a root of a constraint.
+void RowRoots::add_quartic(std::uint32_t index, std::int64_t y) {
+  const TracedQuartic& traced = bounds_.quartics[index];
+  std::vector<RowRoot> named;
+  for (const LineRoot& x : table_.roots(traced.curve, y)) named.push_back({RowPoint(LineRoot(x)), {}, {}});
+  if (named.empty()) return;
+  for (const std::uint32_t constraint : traced.constraints) {
+    const ValueOnLine value(sheets_, sheets_.constraints[constraint], static_cast<long>(y));
+    for (const Sheet sheet : sheets_in(sheets_)) {
+      std::uint32_t rank = 0;
+      for (RowRoot& root : named) {
+        if (value.vanishes(sheet, root.x.exact())) root.quartics.push_back({index, constraint, sheet, rank++});
+      }
+    }
   }
-  return roots;
+  for (RowRoot& root : named) insert(std::move(root));
+}
+
+void RowRoots::insert(RowRoot&& root) {
+  auto at = roots_.begin();
+  int order = -1;
+  while (at != roots_.end() && (order = compare(root.x, at->x)) > 0) ++at;
+  if (at != roots_.end() && order == 0) {
+    at->curves.insert(at->curves.end(), root.curves.begin(), root.curves.end());
+    at->quartics.insert(at->quartics.end(), root.quartics.begin(), root.quartics.end());
+  } else {
+    roots_.insert(at, std::move(root));
+  }
 }
 
 }  // namespace halfspace

@@ -52,8 +52,25 @@ struct RowRoot {
   std::vector<QuarticBranch> quartics;
 };
 
-// Ascending, distinct. Points keep pointers to the curves.
-[[nodiscard]] std::vector<RowRoot> roots_on_line(const Sheets& sheets, const BoundingCurves& bounds, std::int64_t y,
-                                                 QuarticTable& table);
+// The roots of a face's curves, line by line, in memory that serves all its lines.
+class RowRoots {
+ public:
+  // Keeps references.
+  RowRoots(const Sheets& sheets, const BoundingCurves& bounds, QuarticTable& table);
+
+  // Ascending, distinct; until the next call. Points keep pointers to the curves.
+  [[nodiscard]] const std::vector<RowRoot>& on_line(std::int64_t y);
+
+ private:
+  void add_curve(std::uint32_t index, std::int64_t y);
+  void add_quartic(std::uint32_t index, std::int64_t y);
+  void insert(RowRoot&& root);
+
+  const Sheets& sheets_;
+  const BoundingCurves& bounds_;
+  QuarticTable& table_;
+  std::vector<RowPoint> points_;  // of one curve
+  std::vector<RowRoot> roots_;
+};
 
 }  // namespace halfspace

@@ -56,17 +56,20 @@ SegmentSign::SegmentSign(const QuarticForm& p) : order_(degree_of(p)) {
 // Rounding  A term passes fewer than 40 roundings of 2^-53, the coefficient's own counted twice: a coefficient of Bernstein's is within 2^-47
 //           of the sum of its terms' sizes, which the same steps with sizes give, as near. Coefficients below 2^-1000 are too large by less
 //           than that. Where anything overflows no comparison holds.
-int SegmentSign::along(double at, double step, double start, double length) const {
+std::optional<int> SegmentSign::along(double at, double step, double start, double length) const {
   std::array<double, 15> sizes{};
   std::transform(c_.begin(), c_.end(), sizes.begin(), [](double c) { return std::abs(c); });
   const Coefficients value = bernstein(restricted_to(c_, order_, at, step, start), order_, length);
   const Coefficients size =
       bernstein(restricted_to(sizes, order_, std::abs(at), std::abs(step), std::abs(start)), order_, length);
-  const int sign = value[0] < 0 ? -1 : 1;
+  std::array<bool, 3> seen{};  // negative, unsure, positive
   for (std::size_t i = 0; i <= order_; ++i) {
-    if (!(value[i] * sign > size[i] * 0x1p-46 + 0x1p-800)) return 0;
+    const double error = size[i] * 0x1p-46 + 0x1p-800;
+    seen[value[i] > error ? 2 : value[i] < -error ? 0 : 1] = true;
   }
-  return sign;
+  if (seen[0] && seen[2]) return 0;
+  if (seen[1]) return std::nullopt;
+  return seen[0] ? -1 : 1;
 }
 
 }  // namespace halfspace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "host/resolve/resolved_scene.hpp"
 
@@ -13,8 +14,9 @@ class SegmentSign {
  public:
   explicit SegmentSign(const QuarticForm& p);
 
-  // On x = at + step t, y = start + t for all 0 <= t <= length; 0 if it is not certain that there is one sign.
-  [[nodiscard]] int along(double at, double step, double start, double length) const;
+  // On x = at + step t, y = start + t for all 0 <= t <= length: the one sign of Bernstein's coefficients, or 0 if they have both; nothing
+  // where that is not certain.
+  [[nodiscard]] std::optional<int> along(double at, double step, double start, double length) const;
 
  private:
   std::array<double, 15> c_{};  // divided by a power of two so that they are at most 1

@@ -46,53 +46,56 @@ void divide_by_common_content(Curve& p, Curve& r) {
   for (mpz_class& q : r.q) q /= divisor;
 }
 
-// Of a plane, 2 a (b' z + c') on z = (-b + t sqrt(d)) / 2a.
-Curve plane_on_two_sheets(const Surface& own, const Surface& plane) {
-  return 2 * own.a * plane.c - plane.b.q[5] * own.b;
-}
+bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
 
-// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a.
+bool is_plane(const Surface& s) { return sgn(s.a) == 0 && is_constant(s.b) && is_line(s.c); }
+
+// 2 a^2 (a' z^2 + b' z + c') on z = (-b + t sqrt(d)) / 2a, of a plane divided by a; of others without their common factor, for
+// the quartic is made of them.
 void set_form_on_two_sheets(const Surface& own, Constraint& other) {
   const Surface& k = other.surface;
-  if (sgn(k.a) == 0 && is_constant(k.b)) {
-    other.p = plane_on_two_sheets(own, k);
+  if (is_plane(k)) {
+    other.p = minus_multiple(2 * own.a * k.c, k.b.q[5], own.b);
     other.r = k.b;
     return;
   }
   const Curve bb = product_of_lines(own.b, own.b);
   other.p = k.a * (bb - 2 * own.a * own.c) - own.a * product_of_lines(own.b, k.b) + 2 * own.a * own.a * k.c;
   other.r = own.a * k.b - k.a * own.b;
-}
-
-// b^2 (a' z^2 + b' z + c') on z = -c / b, where c is linear.
-void set_form_on_plane(const Surface& own, Constraint& other) {
-  const Surface& k = other.surface;
-  const mpz_class& b = own.b.q[5];
-  other.p = k.a * product_of_lines(own.c, own.c) - b * product_of_lines(k.b, own.c) + b * b * k.c;
-}
-
-void set_form(const Sheets& sheets, Constraint& other) {
-  if (sheets.shape == SheetShape::rational) return;
-  if (sheets.shape == SheetShape::two_sheets) {
-    set_form_on_two_sheets(sheets.surface, other);
-  } else {
-    set_form_on_plane(sheets.surface, other);
-  }
   divide_by_common_content(other.p, other.r);
 }
 
-// Where a plane C z + l meets the surface: C^2 value(-l/C), or l alone when the plane is parallel to the rays.
-Curve section(const Surface& quadric, const Surface& plane) {
+// C^2 (a' z^2 + b' z + c') on a plane C z + l = 0 that is not parallel to the rays.
+Curve value_on_plane(const Surface& k, const Surface& plane) {
   const mpz_class& slope = plane.b.q[5];
-  if (sgn(slope) == 0) return plane.c;
-  return quadric.a * product_of_lines(plane.c, plane.c) - slope * product_of_lines(quadric.b, plane.c) +
-         slope * slope * quadric.c;
+  const Curve line = minus_multiple(k.a * plane.c, slope, k.b);
+  return plus_multiple(product_of_lines(line, plane.c), slope * slope, k.c);
 }
 
-// P and R of the plane on two sheets, up to a factor.
-std::optional<Section> section_terms(const Sheets& sheets, const Surface& plane) {
-  if (sheets.shape != SheetShape::two_sheets) return std::nullopt;
-  return Section{plane_on_two_sheets(sheets.surface, plane), plane.b.q[5]};
+// The same, of a plane divided by |C|.
+Curve plane_on_plane(const Surface& k, const Surface& plane) {
+  const mpz_class& slope = plane.b.q[5];
+  Curve value = minus_multiple(slope * k.c, k.b.q[5], plane.c);
+  return sgn(slope) < 0 ? -1 * value : value;
+}
+
+void set_form(const Sheets& sheets, Constraint& other) {
+  if (sheets.shape == SheetShape::two_sheets) set_form_on_two_sheets(sheets.surface, other);
+  if (sheets.shape == SheetShape::flat) {
+    const Surface& k = other.surface;
+    other.p = is_plane(k) ? plane_on_plane(k, sheets.surface) : value_on_plane(k, sheets.surface);
+  }
+}
+
+// Where a plane meets the surface.
+Curve section(const Surface& quadric, const Surface& plane) {
+  return sgn(plane.b.q[5]) == 0 ? plane.c : value_on_plane(quadric, plane);
+}
+
+// A constraint's line and factor, where it is of first order on two sheets.
+std::optional<Section> section_terms(const Sheets& sheets, const Constraint& k) {
+  if (sheets.shape != SheetShape::two_sheets || !is_line(k.p) || !is_constant(k.r)) return std::nullopt;
+  return Section{k.p, k.r.q[5]};
 }
 
 // On a curved sheet.
@@ -100,7 +103,7 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
   const Surface& own = sheets.surface;
   const Surface& k = other.surface;
   if (!is_curved(half_space)) {
-    other.plane = k;
+    other.section = section(own, k);
   } else if (sheets.shape == SheetShape::two_sheets) {
     other.n = product(other.p, other.p) - product(product_of_lines(other.r, other.r), sheets.d);
   } else {
@@ -108,8 +111,6 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
               product(product_of_lines(own.b, own.b), k.c);
   }
 }
-
-bool is_line(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0; }
 
 void add_quartic(const Sheets& sheets, const QuarticForm& curve, std::uint32_t constraint,
                  std::vector<TracedQuartic>& quartics) {
@@ -131,11 +132,8 @@ void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& tabl
   const bool later = k.half_space > sheets.half_space;
   if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
   const PlaneFactors& parts = table.factors_of(k.n);
-  std::optional<Section> section;
-  if (sheets.shape == SheetShape::two_sheets && is_line(k.p) && is_constant(k.r)) section = Section{k.p, k.r.q[5]};
-  for (const Curve& part : parts.curves) {
-    trace(part, parts.curves.size() == 1 ? section : std::nullopt, later, bounds.curves);
-  }
+  const auto terms = parts.curves.size() == 1 ? section_terms(sheets, k) : std::nullopt;
+  for (const Curve& part : parts.curves) trace(part, terms, later, bounds.curves);
   for (const QuarticForm& part : parts.quartics) add_quartic(sheets, part, index, bounds.quartics);
 }
 
@@ -149,14 +147,9 @@ bool is_curved(const IntegerHalfSpace& half_space) {
 
 Surface surface_of(const IntegerHalfSpace& half_space) {
   const auto& c = half_space.c;
-  Surface surface;
-  if (half_space.kind == HalfSpaceKind::plane) {
-    surface = {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, 1};
-  } else {
-    surface = {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, 1};
-  }
-  if (half_space.complement) surface.sense = -1;
-  return surface;
+  const int sense = half_space.complement ? -1 : 1;
+  if (half_space.kind == HalfSpaceKind::plane) return {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, sense};
+  return {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, sense};
 }
 
 Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
@@ -168,15 +161,20 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   sheets.shape = shape_of(sheets.surface, sheets.curved);
   if (sheets.shape == SheetShape::none) return sheets;
   if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
-  sheets.d = product_of_lines(sheets.surface.b, sheets.surface.b) - 4 * sheets.surface.a * sheets.surface.c;
+  if (sheets.shape == SheetShape::two_sheets) {
+    const Surface& s = sheets.surface;
+    sheets.d = minus_multiple(product_of_lines(s.b, s.b), 4 * s.a, s.c);
+  }
   sheets.constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
     if (k == half_space) continue;
-    Constraint other{k, surface_of(body.half_spaces[k]), {}, {}, {}, {}};
-    if (same_surface(sheets.surface, other.surface)) continue;
+    Surface surface = surface_of(body.half_spaces[k]);
+    if (same_surface(sheets.surface, surface)) continue;
+    Constraint& other = sheets.constraints.emplace_back();
+    other.half_space = k;
+    other.surface = std::move(surface);
     set_form(sheets, other);
     if (sheets.curved) set_meeting(sheets, body.half_spaces[k], other);
-    sheets.constraints.push_back(std::move(other));
   }
   return sheets;
 }
@@ -190,7 +188,7 @@ std::vector<Sheet> sheets_in(const Sheets& sheets) {
 bool has_zero_constraint(const Sheets& sheets) {
   return std::any_of(sheets.constraints.begin(), sheets.constraints.end(), [&](const Constraint& k) {
     if (!sheets.curved) return is_zero(k.p);
-    return k.plane ? is_zero(section(sheets.surface, *k.plane)) : is_zero(k.n);
+    return k.section ? is_zero(*k.section) : is_zero(k.n);
   });
 }
 
@@ -204,8 +202,8 @@ BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
     const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
       trace(k.p, std::nullopt, later, curves);
-    } else if (k.plane) {
-      trace(section(sheets.surface, *k.plane), section_terms(sheets, *k.plane), later, curves);
+    } else if (k.section) {
+      trace(*k.section, section_terms(sheets, k), later, curves);
     } else {
       trace_meeting(sheets, i, table, bounds);
     }

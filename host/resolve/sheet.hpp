@@ -40,7 +40,7 @@ struct Constraint {
   std::uint32_t half_space = 0;
   Surface surface;
   Curve p, r;                    // unused on a rational sheet
-  std::optional<Surface> plane;  // on a curved sheet: the surface, if it is a plane
+  std::optional<Curve> section;  // on a curved sheet, of a plane: where they meet
   QuarticForm n;                 // on a curved sheet, of a curved surface: P^2 - R^2 d, or the rational sheet's form
 };
 
@@ -52,7 +52,7 @@ struct Sheets {
   std::uint32_t half_space = 0;
   SheetShape shape = SheetShape::none;
   Surface surface;
-  Curve d;
+  Curve d;  // of two sheets
   bool curved = false;
   std::vector<Constraint> constraints;  // without those on the same surface: their value is 0 on every sheet
 };

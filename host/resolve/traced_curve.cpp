@@ -1,6 +1,7 @@
 #include "host/resolve/traced_curve.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "host/resolve/curve_algebra.hpp"
 
@@ -15,14 +16,15 @@ bool is_second_order_proportional(const Curve& p, const Curve& q) {
 // m p - n q without second order: circles' radical line, and its like.
 Curve radical_line(const Curve& p, const Curve& q) {
   const std::size_t i = sgn(p.q[0]) != 0 ? 0 : sgn(p.q[1]) != 0 ? 1 : 2;
-  return q.q[i] * p - p.q[i] * q;
+  return minus_multiple(q.q[i] * p, p.q[i], q);
 }
 
 }  // namespace
 
-void trace(const Curve& p, const std::optional<Section>& section, bool later, std::vector<TracedCurve>& curves) {
+void trace(Curve p, std::optional<Section> section, bool later, std::vector<TracedCurve>& curves) {
   std::vector<Curve> factors;
-  append_factors(p, factors);
+  append_factors(std::move(p), factors);
+  if (factors.size() != 1) section.reset();
   for (Curve& factor : factors) {
     const auto same = [&factor](const TracedCurve& known) { return same_curve(known.curve, factor); };
     const auto known = std::find_if(curves.begin(), curves.end(), same);
@@ -31,7 +33,7 @@ void trace(const Curve& p, const std::optional<Section>& section, bool later, st
       continue;
     }
     IntervalCurve enclosed = interval_curve(factor);
-    curves.push_back({std::move(factor), enclosed, factors.size() == 1 ? section : std::nullopt, later});
+    curves.push_back({std::move(factor), enclosed, std::exchange(section, std::nullopt), later});
   }
 }
 
@@ -41,9 +43,12 @@ std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, co
   if (p.section && q.section) {  // where both are 0, factor q line p = +- factor p line q
     if (is_zero(p.section->line)) return std::vector{q.section->line};
     if (is_zero(q.section->line)) return std::vector{p.section->line};
-    const Curve u = q.section->factor * p.section->line;
-    const Curve v = p.section->factor * q.section->line;
-    return std::vector{u - v, u + v};
+    Curve u = q.section->factor * p.section->line;
+    std::vector<Curve> lines;
+    lines.reserve(2);
+    lines.push_back(minus_multiple(u, p.section->factor, q.section->line));
+    lines.push_back(plus_multiple(std::move(u), p.section->factor, q.section->line));
+    return lines;
   }
   if (is_second_order_proportional(p.curve, q.curve)) return std::vector{radical_line(p.curve, q.curve)};
   return std::nullopt;

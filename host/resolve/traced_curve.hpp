@@ -24,7 +24,7 @@ struct TracedCurve {
 };
 
 // Adds the factors of p, none twice; `section` is p's.
-void trace(const Curve& p, const std::optional<Section>& section, bool later, std::vector<TracedCurve>& curves);
+void trace(Curve p, std::optional<Section> section, bool later, std::vector<TracedCurve>& curves);
 
 // Lines that pass through every point where p and q meet: p meets each of them there. None known: nothing.
 [[nodiscard]] std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, const TracedCurve& q);

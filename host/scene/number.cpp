@@ -44,7 +44,7 @@ std::variant<Number, std::string> read_number(std::string_view text) {
   double value = 0;
   const auto [rest, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status == std::errc::invalid_argument || rest != text.data() + text.size()) return not_a_decimal(written);
-  if (all_digits_zero(text)) return Number{"0", 0.0};
+  if (value == 0 && all_digits_zero(text)) return Number{"0", 0.0};
   const double magnitude = std::abs(value);
   if (status == std::errc::result_out_of_range || magnitude < smallest || magnitude > largest) {
     return quote(written) + " is out of range; write 0, or a magnitude from 1e-308 to 1e308";

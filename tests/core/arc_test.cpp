@@ -73,11 +73,10 @@ void expect_crossings(const Setting& s, ArcKind kind, std::int32_t y0, std::int3
   module.load(in, {s.origin_x, s.origin_y, start_x, y0, y1, x_min, x_max}, state.data());
   ASSERT_FALSE(in.failed());
   for (std::int32_t y = y0;; ++y) {
-    const ArcCrossing crossing = module.settle(state.data());
+    const ArcCrossing crossing = y == y0 ? module.settle(state.data()) : module.next(state.data());
     ASSERT_EQ(crossing.at_or_right, first_dot(s.q, s.branch, s.origin_x, y - s.origin_y, false)) << "line " << y;
     ASSERT_EQ(crossing.right, first_dot(s.q, s.branch, s.origin_x, y - s.origin_y, true)) << "line " << y;
     if (y == y1) break;
-    module.step_down(state.data());
   }
 }
 

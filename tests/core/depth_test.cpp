@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/core/exact.hpp"
+#include "firmware/core/radical_plane.hpp"
 #include "tests/core/faces.hpp"
 
 namespace halfspace {
@@ -226,21 +227,52 @@ TEST(DepthOrder, PiecesEqualTheExactOrderDotByDot) {
   }
 }
 
-// Balls in integers that are coarse, so that they also touch, tie and meet on dots: down their lines, with what earlier ones have found.
+// What the radical plane tells of a run, dot by dot: of lines to come, then of this one. False: nothing of this one.
+bool expect_inner_dots(TestFace& f, TestFace& g, std::int32_t y, DotRun run, int& proven) {
+  DepthProof& proof = proven_order(f.active, g.active, y, run.x0, run.x1);
+  if (proof.radical.fraction == RadicalPlane::missing) return false;
+  if (proof.nearer != 0) {
+    ++proven;
+    for (std::int32_t x = run.x0; x <= run.x1; ++x) {
+      EXPECT_EQ(testing::compare(*testing::depth_at(f, x, y), *testing::depth_at(g, x, y)), proof.nearer)
+          << "dot " << x << " line " << y;
+    }
+  }
+  TestFace& inner = proof.inner < 0 ? f : g;
+  TestFace& outer = proof.inner < 0 ? g : f;
+  InnerDots dots;
+  if (!find_inner_dots(inner.active, proof, y, run.x0, run.x1, dots)) return false;
+  for (std::int32_t x = run.x0; x <= run.x1; ++x) {
+    const int sign = testing::compare(*testing::depth_at(inner, x, y), *testing::depth_at(outer, x, y));
+    EXPECT_EQ(sign, dots.from <= x && x <= dots.to ? -1 : 1) << "dot " << x << " line " << y;
+  }
+  return true;
+}
+
+// Balls, and ellipsoids of one shape, in integers that are coarse, so that they also touch, tie and meet on dots: down their lines, with what
+// earlier ones have found.
 TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
   Dice dice(16);
   const Lighting lighting;
+  std::array<std::int64_t, 6> shape{1, 1, 1};
   const auto ball = [&](std::uint32_t order, int sheet) {
     std::array<mpz_class, 10> c;
     const mpz_class a = 1 << between(dice, 0, 3);
-    c[0] = c[1] = c[2] = a;
+    for (std::size_t i = 0; i < shape.size(); ++i) c[i] = a * mpz_class(shape[i]);
     for (int i = 6; i < 9; ++i) c[static_cast<std::size_t>(i)] = between(dice, -6, 6);
     c[9] = -a * mpz_class(between(dice, 4, 700));
     return make_face(FaceKind::root, c, {between(dice, 20, 44), between(dice, 20, 44), between(dice, -9, 9)}, sheet, 1,
                      order, lighting);
   };
   int changes = 0;
+  int parted = 0;
+  int proven = 0;
   for (int trial = 0; trial < trials(600); ++trial) {
+    if (trial % 3 == 0) {
+      for (std::size_t i = 0; i < shape.size(); ++i) shape[i] = i < 3 ? between(dice, 3, 6) : between(dice, -1, 1);
+    } else {
+      shape = {1, 1, 1};
+    }
     TestFace f = ball(1, dice() % 4 == 0 ? 1 : -1);
     TestFace g = ball(2, dice() % 4 == 0 ? 1 : -1);
     const ExactModule* exact = exact_for({&f, &g}, lighting, 65, side);
@@ -252,11 +284,14 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
       const DotRun both{std::max(runs_f[0].x0, runs_g[0].x0), std::min(runs_f[0].x1, runs_g[0].x1)};
       if (both.x0 > both.x1) continue;
       expect_dot_by_dot(f, g, *exact, y, both);
-      ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+      parted += expect_inner_dots(f, g, y, both, proven) ? 1 : 0;
+      ASSERT_FALSE(HasFailure()) << "trial " << trial;
       changes += f.active.proofs[0].crossing >= 0 ? 1 : 0;
     }
   }
   EXPECT_GT(changes, trials(1000));
+  EXPECT_GT(parted, trials(1000));
+  EXPECT_GT(proven, trials(1000));
 }
 
 // Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.
