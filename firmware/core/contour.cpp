@@ -22,12 +22,15 @@ ContourKind straight_or_general(const ShadeJob& job) {
 }
 
 // Instructions of a Cortex-M3, or ticks of an x86-64, which multiplies 64 bits at once (docs/contours.md). A span of n dots with r levels
-// met from dot to dot takes  span + dot n + run min(r, n) + crowd max(r - n, 0).
+// met from dot to dot takes
+//   span + first min(n, 16) + dot n + chord min(r, n / 4, 16) + run min(r, n) + crowd max(r - n, 0)
 struct Way {
-  std::int32_t span, dot, run, crowd;
+  std::int32_t span, first, dot, chord, run, crowd;
 
   [[nodiscard]] constexpr std::int32_t cost(std::int32_t n, std::int32_t r) const {
-    return span + dot * n + run * std::min(r, n) + crowd * std::max<std::int32_t>(r - n, 0);
+    const std::int32_t chords = std::min(r, std::min<std::int32_t>(n / 4, 16));
+    return span + first * std::min<std::int32_t>(n, 16) + dot * n + chord * chords + run * std::min(r, n) +
+           crowd * std::max<std::int32_t>(r - n, 0);
   }
 };
 struct Ways {
@@ -35,17 +38,31 @@ struct Ways {
   std::int32_t general_start, sphere_start;  // once a face
   std::int32_t survey, survey_level;         // and of straight contours, so much a level besides
 };
-constexpr Ways ways =
-    limb_bits == 32
-        ? Ways{{5200, 285, 200, 23}, {2750, 10, 250, 13}, {650, 0, 77, 77}, {400, 0, 44, 44}, 12000, 15500, 40000, 3000}
-        : Ways{{300, 25, 30, 3}, {480, 3, 145, 2}, {155, 0, 13, 13}, {80, 0, 5, 5}, 1500, 1500, 9000, 330};
+constexpr Ways cortex_m3{{5200, 0, 285, 0, 200, 23},
+                         {2750, 0, 10, 0, 250, 13},
+                         {650, 0, 0, 0, 77, 77},
+                         {400, 0, 0, 0, 44, 44},
+                         12000,
+                         15500,
+                         30000,
+                         1850};
+constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
+                      {450, 0, 3, 90, 45, 2},
+                      {140, 0, 0, 0, 13, 13},
+                      {80, 0, 0, 0, 5, 5},
+                      1000,
+                      1500,
+                      4600,
+                      350};
+constexpr const Ways& ways = limb_bits == 32 ? cortex_m3 : x86_64;
 
 // Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
 std::int32_t levels_met(const ShadeJob& job, std::int32_t n) {
   const FaceContours& face = *job.contours;
   const auto levels = static_cast<std::uint32_t>(job.table.top_level - job.table.ambient_level);
+  if (n > 1 && face.gaps == 0) return static_cast<std::int32_t>(levels);
   const auto gaps = static_cast<std::uint32_t>(n - 1);
-  return static_cast<std::int32_t>(face.gaps == 0 ? levels : std::min(gaps * face.steps / face.gaps, 2 * levels));
+  return static_cast<std::int32_t>(std::min(gaps * face.steps / std::max<std::uint32_t>(face.gaps, 1), 2 * levels));
 }
 
 struct Costs {
@@ -60,12 +77,11 @@ struct Costs {
   }
 };
 
-// Whether to begin with a way that saves so much on a span of n dots, and takes `start` once: if the face, were it as high as the span is wide,
-// would save that, or the spans since it was first thought of have missed it.
-bool is_begun(FaceContours& face, std::int32_t n, std::int32_t gain, std::int32_t start) {
-  if (face.missed + std::int64_t{gain} * n >= start) return true;
-  face.missed += gain;
-  return false;
+// Whether to begin with a way that saves so much on this span of the face and takes `start` once: if as much as on all its spans
+// would be saved on the lines that it has left.
+bool is_begun(FaceContours& face, std::int32_t lines, std::int32_t gain, std::int32_t start) {
+  face.begun.add(std::max<std::int32_t>(gain, 0));
+  return gain > 0 && face.begun.pays(lines, start);
 }
 
 // Of a face with straight contours.
@@ -81,28 +97,32 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
   const std::int32_t n = x1 - x0 + 1;
+  const std::int32_t lines = std::min(lines_left(job.face, y), 4 * n);  // a narrow span tells little of many
   const Costs costs(job, shader, n);
   if (face.kind == ContourKind::sphere && costs.sphere < std::min(costs.general, costs.dot_by_dot)) {
     if (face.sphere.fraction == 0) {
-      if (!is_begun(face, n, costs.dot_by_dot - costs.sphere, ways.sphere_start)) return false;
+      if (!is_begun(face, lines, costs.dot_by_dot - costs.sphere, ways.sphere_start)) return false;
       if (!make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
     }
     if (face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1)) return true;
   }
   bool pays = costs.general < costs.dot_by_dot;
-  if (pays && face.general.bars.error == 0) {
-    pays = is_begun(face, n, costs.dot_by_dot - costs.general, ways.general_start);
+  if (face.general.bars.error == 0) {
+    pays = is_begun(face, lines, costs.dot_by_dot - costs.general, ways.general_start);
   }
   const SurveyChance survey{std::max<std::int32_t>(std::min(costs.general, costs.dot_by_dot) - costs.straight, 0),
                             ways.survey + ways.survey_level * job.table.levels};
+  const bool by_rulings = survey.gain > 0 && face.kind != ContourKind::general;
+  if (by_rulings && face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) {
+    face.straight.missed += survey.gain / 4;
+    return true;
+  }
+  const bool due = by_rulings && is_survey_due(face.straight, lines, survey);
   if (face.kind == ContourKind::curved) {
-    if (!pays && !is_survey_due(face.straight, n, survey)) {
-      face.straight.missed += survey.gain;
-      return false;
-    }
+    if (!pays && !due) return false;
     face.kind = straight_or_general(job);
   }
-  if (face.kind == ContourKind::straight && survey.gain > 0 && straight_contour(job, y, x0, x1, survey)) return true;
+  if (due && face.kind == ContourKind::straight && surveyed_contour(job, y, x0, x1)) return true;
   return pays && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
 }
 

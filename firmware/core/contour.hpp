@@ -32,7 +32,7 @@ struct FaceContours {
   ContourKind kind = ContourKind::unknown;
   std::int32_t corner_line = unknown_line;  // of a straight one, once it matters
   std::uint32_t gaps = 0, steps = 0;        // of the last span of two dots or more: levels met from dot to dot
-  std::int32_t missed = 0;                  // what spans would have saved by a way that is not begun
+  Chance begun;                             // of its way but straight contours
   SphereContours sphere;
   StraightContours straight;
   GeneralContours general;
@@ -52,8 +52,9 @@ struct FaceContours {
 [[nodiscard]] bool make_sphere(const ShadeJob& job, SphereContours& out);
 
 [[nodiscard]] bool sphere_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
-[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1,
-                                    const SurveyChance& chance);
+// By the face's last survey; by a new one.
+[[nodiscard]] bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
+[[nodiscard]] bool surveyed_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 [[nodiscard]] bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1);
 
 // The first of these ways that does not decline; Shader::automatic asks only ways that should be cheaper than dot by dot.

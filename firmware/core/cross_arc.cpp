@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "firmware/core/quick_root.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -13,6 +15,7 @@ constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
 
 // floor(a t 2^-32)
 std::int64_t product(std::int64_t a, std::uint32_t t) {
+  if constexpr (limb_bits == 64) return static_cast<std::int64_t>(static_cast<SignedDoubleLimb>(a) * t >> 32);
   return (a >> 32) * t + static_cast<std::int64_t>((static_cast<std::uint64_t>(a) & 0xffffffffU) * t >> 32);
 }
 // a b 2^-60 for 0 <= a, b <= 2^60.
@@ -191,21 +194,29 @@ std::int64_t LevelBar::slope(const ArcLight& at) const {
   return 2 * ((l >> 31) * (at.light_slope >> 31)) - (square >> 31) * (at.square_slope >> 31);
 }
 
-// -excess / slope in units of tau, to some 15 bits; 2^32 where it would be more.
+// Newton's step on L - t |N|, which unlike the squares' difference is steep where L is near 0, to some 15 bits:
+//   -(excess + 2 min(L, 0) t |N|) / ((|L| + t |N|) (L' - t |N|'))    in units of tau; 2^32 where it would be more.
 std::int64_t LevelBar::step(const ArcLight& at, std::int64_t excess) const {
   constexpr std::int64_t far = std::int64_t{1} << 32;
-  const std::uint64_t n = magnitude(excess);
-  const std::int64_t slope = this->slope(at);
-  const std::uint64_t d = magnitude(slope);
-  if (n >> 2 >= d) return far;
-  // n / 4 d with the divisor cut to 16 bits and the dividend to 32.
+  const std::int32_t root = quick_root(static_cast<std::uint64_t>(std::max<std::int64_t>(at.square, 1)));  // 2^-30
+  const std::int64_t light = at.light >> 30, normal = std::int64_t{threshold} * root >> 30;
+  // |N|' in 2^-15, where it is steep less.
+  const std::int32_t normal_slope = std::clamp<std::int32_t>(
+      static_cast<std::int32_t>(at.square_slope >> 31) / ((root >> 15) + 1), -(1 << 20), 1 << 20);
+  const std::int64_t slope = (at.light_slope >> 34) - (std::int64_t{threshold} * normal_slope >> 19);  // 2^-26
+  const std::int64_t product = ((light < 0 ? -light : light) + normal) * slope;
+  const std::int64_t lead = excess + std::min<std::int64_t>(light, 0) * normal * 2;
+  const std::uint64_t d = magnitude(product);
+  const std::uint64_t n = magnitude(lead);
+  if (n >> 4 >= d) return far;
+  // n / 16 d with the divisor cut to 16 bits and the dividend to 32.
   const int cut_d = std::max(0, static_cast<int>(std::bit_width(d)) - 16);
   const int cut_n = static_cast<int>(std::bit_width(n)) - 32;
   const auto dividend = static_cast<std::uint32_t>(cut_n >= 0 ? n >> cut_n : n << -cut_n);
   const std::int64_t quotient = dividend / static_cast<std::uint32_t>(d >> cut_d);
-  const int shift = 30 + cut_n - cut_d;
+  const int shift = 28 + cut_n - cut_d;
   const std::int64_t step = shift >= 0 ? quotient << std::min(shift, 31) : quotient >> std::min(-shift, 63);
-  return (excess < 0) == (slope < 0) ? -step : step;
+  return (lead < 0) == (product < 0) ? -step : step;
 }
 
 }  // namespace halfspace

@@ -72,7 +72,8 @@ class CrossArc {
 
 // L^2 - t^2 |N|^2 with L's sign, and Newton's step towards its zero.
 struct LevelBar {
-  std::int64_t square = 0;  // t^2, 2^-60
+  std::int64_t square = 0;     // t^2, 2^-60
+  std::int32_t threshold = 0;  // t, 2^-30
 
   [[nodiscard]] std::int64_t excess(const ArcLight& at) const;
   [[nodiscard]] std::int64_t slope(const ArcLight& at) const;  // 2^-58

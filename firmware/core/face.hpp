@@ -9,6 +9,7 @@
 // Source  Ressler 1985, (2.1), (2.2), 4.1.1; the coefficients keep the paper's order A B C D E F G H J K.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -103,12 +104,18 @@ struct ActiveFace {
   std::int8_t sheet = 0;       // root: -1 front, +1 back
   std::int8_t light_sign = 1;  // -1: the outward normal is against the gradient
   std::uint8_t level = 0;      // plane: its one level
+  std::int16_t last_line = 0;  // curved: of its cells, as the job says
   bool ready = false;          // curved: FaceModule::enter was called, as a dot of it was seen
 };
 
 // A depth divides by c2 (face.c): a slot that no record filled, or a record that lies, has none.
 [[nodiscard]] inline bool has_depth(const ActiveFace& face) {
   return face.kind == FaceKind::rational || face.c[2].sign() > 0;
+}
+
+// With line y; at least that, whatever a job says.
+[[nodiscard]] inline std::int32_t lines_left(const ActiveFace& face, std::int32_t y) {
+  return std::max<std::int32_t>(face.last_line - y, 0) + 1;
 }
 
 // Reads what follows the slot number in a face record.
@@ -130,6 +137,7 @@ inline void read_face(JobReader& in, Record type, ActiveFace& face) {
     const std::uint8_t flags = in.byte();  // bit 0: back sheet; bit 1: normal against the gradient
     if (face.kind == FaceKind::root) face.sheet = (flags & 1U) != 0 ? 1 : -1;
     face.light_sign = (flags & 2U) != 0 ? -1 : 1;
+    face.last_line = static_cast<std::int16_t>(in.number_in(0, largest_side - 1));
   }
   const int count = face.kind == FaceKind::plane ? 4 : 10;
   for (int i = 0; i < count; ++i) face.c[i] = in.wide<128>();

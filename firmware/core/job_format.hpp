@@ -12,7 +12,7 @@
 
 namespace halfspace {
 
-inline constexpr std::array<std::uint8_t, 4> job_magic{'H', 'S', 'J', '2'};
+inline constexpr std::array<std::uint8_t, 4> job_magic{'H', 'S', 'J', '3'};
 
 // Every record starts with its type and the lines since the previous record's entry.
 enum class Record : std::uint8_t { end, plane_face, root_face, rational_face, arc, cell, span, window };

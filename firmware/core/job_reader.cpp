@@ -51,12 +51,11 @@ std::int64_t JobReader::number_within(std::int64_t limit) {
 
 namespace {
 
-constexpr std::int32_t max_side = 32767;
 constexpr std::int32_t max_pool = 65534;  // a slot number is 16 bits, no_slot apart
 
 void read_page(JobReader& in, JobHeader& h) {
-  h.page.width = in.number_in(1, max_side);
-  h.page.height = in.number_in(1, max_side);
+  h.page.width = in.number_in(1, largest_side);
+  h.page.height = in.number_in(1, largest_side);
   h.page.format = in.number_in(0, 1) == 0 ? DotFormat::bilevel : DotFormat::gray;
   h.page.levels = in.number_in(2, 256);
   h.page.background = in.number_in(0, h.page.levels - 1);

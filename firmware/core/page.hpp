@@ -14,9 +14,11 @@ namespace halfspace {
 
 enum class DotFormat : std::uint8_t { bilevel, gray };
 
+inline constexpr std::int32_t largest_side = 32767;
+
 struct Page {
-  std::int32_t width = 0;   // dots, 1 .. 32767
-  std::int32_t height = 0;  // dots, 1 .. 32767
+  std::int32_t width = 0;   // dots, 1 .. largest_side
+  std::int32_t height = 0;  // dots, 1 .. largest_side
   DotFormat format = DotFormat::bilevel;
   std::int32_t levels = 65;      // shading levels, 2 .. 256
   std::int32_t background = 64;  // level of dots that show no face

@@ -215,7 +215,7 @@ class Survey {
     const Lighting& g = job.lighting;
     per_threshold_ = Real(1) / Real(static_cast<std::int64_t>(job.table.levels - 1) * g.parallel);
     const int root_bits = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(arc.unsure()))) + 1) / 2;
-    narrow_ = 1U << std::clamp(7 - arc.steepness_bits(), 1, 7);
+    narrow_ = 1U << std::clamp(narrow_bits(job.contours->straight) - arc.steepness_bits(), 1, 14);
     rim_ = 1U << std::max(8, root_bits + 5);
   }
 
@@ -239,6 +239,11 @@ class Survey {
   [[nodiscard]] std::int32_t entry_width() const { return widest_ + 3; }
 
  private:
+  // Half of an interval left: what it lets a face of so many lines and dots ask, the number of lines times that of dots of an interval,
+  // is then about alike for all faces, and 2^-11 dot where a face is 1000 dots wide.
+  static int narrow_bits(const StraightContours& out) {
+    return 27 - 2 * static_cast<int>(std::bit_width(static_cast<std::uint64_t>(out.width) >> line_bits));
+  }
   // From an end, at most: beside a limb p is 2^-24 there.
   static constexpr std::uint32_t beside_end = 1U << 20;
   static constexpr std::uint32_t near_root = 1U << 19;
@@ -281,7 +286,7 @@ class Survey {
         Real(static_cast<std::int64_t>(k) * g.unit - static_cast<std::int64_t>(job_.table.levels - 1) * g.ambient) *
         per_threshold_;
     const auto fraction = static_cast<std::uint64_t>(t.fixed(60)) << 2;
-    return {static_cast<std::int64_t>(high_product(fraction, fraction))};
+    return {static_cast<std::int64_t>(high_product(fraction, fraction)), static_cast<std::int32_t>(fraction >> 32)};
   }
   [[nodiscard]] int sign_of(std::int64_t excess) const {
     return excess > arc_.unsure() ? 1 : (excess < -arc_.unsure() ? -1 : 0);
@@ -331,6 +336,7 @@ class Survey {
     if (rise == 0) return false;
     const bool up = rise > 0;
     const ArcLight light_at_end = arc_.at(end);
+    crossings_ = 0;
     for (;;) {
       const std::int32_t k = up ? level_ + 1 : level_;
       if (k > job_.table.top_level || k <= job_.table.ambient_level) break;
@@ -339,8 +345,12 @@ class Survey {
       if (beyond == 0) return false;
       if ((beyond > 0) != up) break;
       if (!cross(next, rise, end)) return false;
+      const std::int32_t place = arc_.place(before_);
+      if (!holds(place, arc_.place(at_))) return false;
+      crossed_ = {at_, crossed_[0], crossed_[1]};
+      ++crossings_;
       level_ += rise;
-      add_place(arc_.place(before_));
+      add_place(place);
     }
     at_ = end;
     light_ = light_at_end;
@@ -349,12 +359,14 @@ class Survey {
   // From at_, where `next` is not crossed, to just beyond the crossing; before_ is just before it. Newton's steps, each beyond the root
   // by `narrow` once it is near; halves where they lead astray.
   [[nodiscard]] bool cross(const LevelBar& next, int direction, std::uint32_t end) {
+    std::int64_t guess = forecast(next);
     before_ = at_;
     at_ = end;
-    std::uint32_t x = before_;
     std::uint32_t half = narrow_;
-    ArcLight light = light_;
     for (int tries = 0; tries < most_tries; ++tries) {
+      const std::uint32_t x =
+          guess > before_ && guess < at_ ? static_cast<std::uint32_t>(guess) : before_ + (at_ - before_) / 2;
+      const ArcLight light = arc_.at(x);
       const std::int64_t excess = next.excess(light);
       const int sign = sign_of(excess) * direction;
       if (sign < 0) before_ = x;
@@ -362,17 +374,20 @@ class Survey {
         at_ = x;
         light_ = light;
       }
-      if (at_ - before_ <= 2 * half + 2) return holds(arc_.place(before_), arc_.place(at_));
+      if (at_ - before_ <= 3 * half) return true;
       if (sign == 0) half = std::min(2 * half, near_root);
       std::int64_t step = next.step(light, excess);
       if (step > -std::int64_t{near_root} && step < std::int64_t{near_root}) {
         step += sign > 0 ? -std::int64_t{half} : std::int64_t{half};
       }
-      const std::int64_t guess = x + step;
-      x = guess > before_ && guess < at_ ? static_cast<std::uint32_t>(guess) : before_ + (at_ - before_) / 2;
-      light = arc_.at(x);
+      guess = x + step;
     }
     return false;
+  }
+  // Where the next crossing should be: as the last ways from one to the next changed, or by Newton's step.
+  [[nodiscard]] std::int64_t forecast(const LevelBar& next) const {
+    if (crossings_ < 3) return at_ + next.step(light_, next.excess(light_));
+    return crossed_[2] + 3 * (std::int64_t{crossed_[0]} - crossed_[1]);
   }
 
   void add(std::uint32_t tau) { add_place(arc_.place(tau)); }
@@ -390,6 +405,8 @@ class Survey {
   std::span<std::uint32_t> block_;
   Real per_threshold_;
   std::uint32_t at_ = 0, before_ = 0;
+  std::array<std::uint32_t, 3> crossed_{};  // of this climb, the latest first
+  int crossings_ = 0;
   std::uint32_t last_ = 0U - beside_end;
   std::uint32_t narrow_;  // half of the interval in which a change is left, as a rule
   ArcLight light_{};

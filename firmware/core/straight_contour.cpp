@@ -114,25 +114,28 @@ class StraightSpan {
 
 }  // namespace
 
-// The first pays where it saves that on a face as high as the span is wide; later ones, further on, where spans have missed as much since,
-// those by the last survey counting an eighth. After a failure it is twice as much.
-bool is_survey_due(const StraightContours& s, std::int32_t n, const SurveyChance& chance) {
-  return (!s.tried && std::int64_t{chance.gain} * n >= chance.cost) || s.missed >= std::int64_t{chance.cost}
-                                                                                       << s.failures;
-}
-
-bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1,
-                      const SurveyChance& chance) {
-  StraightContours& s = job.contours->straight;
-  if (job.contours->block.empty()) return false;
-  StraightSpan span(job, y, x0, x1);
-  if (span.is_usable()) {
-    span.paint();
-    s.missed += chance.gain / 8;
-    return true;
+// The first where it pays; a later one, further on, where it should and the last has saved four times as much, or spans have missed it
+// since. After a failure it is twice as much.
+bool is_survey_due(StraightContours& s, std::int32_t lines, const SurveyChance& chance) {
+  if (!s.tried) {
+    s.begun.add(chance.gain);
+    return s.begun.pays(lines, chance.cost);
   }
   s.missed += chance.gain;
-  if (!is_survey_due(s, x1 - x0 + 1, chance)) return false;
+  return std::int64_t{chance.gain} * lines >= chance.cost && s.missed >= std::int64_t{chance.cost} << s.failures;
+}
+
+bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  if (job.contours->block.empty()) return false;
+  StraightSpan span(job, y, x0, x1);
+  if (!span.is_usable()) return false;
+  span.paint();
+  return true;
+}
+
+bool surveyed_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  StraightContours& s = job.contours->straight;
+  if (job.contours->block.empty()) return false;
   s.missed = 0;
   s.tried = true;
   if (!survey_rulings(job, y, x0, x1)) {
@@ -140,10 +143,7 @@ bool straight_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std:
     return false;
   }
   s.failures = 0;
-  StraightSpan surveyed(job, y, x0, x1);
-  if (!surveyed.is_usable()) return false;
-  surveyed.paint();
-  return true;
+  return straight_contour(job, y, x0, x1);
 }
 
 }  // namespace halfspace

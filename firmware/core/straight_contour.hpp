@@ -15,10 +15,26 @@
 
 namespace halfspace {
 
+// What spans so far would have saved by a way that is not begun.
+struct Chance {
+  std::int64_t missed = 0;
+  std::int32_t spans = 0;
+
+  void add(std::int32_t gain) {
+    missed += gain;
+    ++spans;
+  }
+  // Whether as much on each of so many lines to come is worth what it takes to begin.
+  [[nodiscard]] bool pays(std::int32_t lines, std::int32_t start) const {
+    return missed * lines >= std::int64_t{start} * spans;
+  }
+};
+
 struct StraightContours {
   std::int64_t left = 0, left_slope = 0;    // xA of `line`, on the page, and its change from line to line
   std::int64_t width = 0, width_slope = 0;  // xB - xA
-  std::int64_t missed = 0;                  // what spans would have saved since the last survey, by it an eighth
+  std::int64_t missed = 0;  // what spans would have saved since the last survey, and a quarter of what they did by it
+  Chance begun;             // of the first
   std::int32_t line = 0;
   std::int32_t entries = 0;  // at the start of the face's block; none: not known
   std::int32_t entry_width = 0;
@@ -30,7 +46,8 @@ struct StraightContours {
 struct SurveyChance {
   std::int32_t gain, cost;
 };
-[[nodiscard]] bool is_survey_due(const StraightContours& face, std::int32_t dots, const SurveyChance& chance);
+// Of a span that no survey serves.
+[[nodiscard]] bool is_survey_due(StraightContours& face, std::int32_t lines, const SurveyChance& chance);
 
 inline constexpr int line_bits = 34;
 inline constexpr int entry_level_bits = 8;

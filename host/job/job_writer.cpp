@@ -106,6 +106,7 @@ class JobWriter {
   JobResult result_;
   std::vector<Event> events_;
   std::vector<std::uint32_t> face_slot_, arc_slot_;
+  std::vector<std::int32_t> face_last_;
   std::vector<ArcKind> kinds_;
   // What of faces and arcs is the same wherever their records stand: written in their order, in which their integers lie in memory.
   JobBytes forms_;
@@ -199,9 +200,11 @@ void JobWriter::collect() {
   needs.arcs = assign_slots(arcs);
   needs.cells = assign_slots(cells);
   face_slot_.resize(resolved_.faces.size());
+  face_last_.resize(resolved_.faces.size());
   arc_slot_.resize(resolved_.arcs.size());
   for (const Lifetime& l : faces) {
     face_slot_[l.item] = l.slot;
+    face_last_[l.item] = l.y1;
     events_.push_back({l.y0, Kind::face, l.item, l.slot});
   }
   for (const Lifetime& l : arcs) {
@@ -294,6 +297,7 @@ void JobWriter::write_face(std::uint32_t index) {
     const bool back = face.sheet == Sheet::back;
     const bool against = h.complement != turn;
     out.byte(static_cast<std::uint8_t>((back ? 1 : 0) | (against ? 2 : 0)));
+    out.number(face_last_[index]);
   }
   for (int i = 0; i < (plane ? 4 : 10); ++i) {
     if (turn) {

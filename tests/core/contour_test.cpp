@@ -52,7 +52,7 @@ class Contours {
       const std::vector<DotRun> runs = runs_of(face, y, page_.width);
       const bool all =
           has_straight_contours(face.active) && std::all_of(runs.begin(), runs.end(), [&](const DotRun& run) {
-            return straight_contour(job, y, run.x0, run.x1, {.gain = 100, .cost = 1});
+            return straight_contour(job, y, run.x0, run.x1) || surveyed_contour(job, y, run.x0, run.x1);
           });
       lines += all ? 0 : 1;
     }

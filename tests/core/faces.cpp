@@ -61,6 +61,7 @@ TestFace make_face(FaceKind kind, const std::array<mpz_class, 10>& c, std::array
   a.kind = kind;
   a.sheet = static_cast<std::int8_t>(kind == FaceKind::root ? sheet : 0);
   a.light_sign = static_cast<std::int8_t>(light_sign);
+  a.last_line = largest_side - 1;
   make_depth(a);
   if (kind == FaceKind::root) make_root_surface(a, lighting);
   if (kind == FaceKind::rational) rational_faces.enter(a, lighting);
