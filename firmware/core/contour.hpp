@@ -36,7 +36,7 @@ struct FaceContours {
   SphereContours sphere;
   StraightContours straight;
   GeneralContours general;
-  std::span<std::uint32_t> block;  // of straight contours; none: the pool is used up
+  std::span<std::uint32_t> block;  // contour_block_words(), of straight or general contours; none: the pool is used up
 };
 
 // Whether the face is of the kind; |N| is constant on some that are no good spheres.
@@ -47,6 +47,9 @@ struct FaceContours {
 // The line on which D may be a square, as through the apex of a face with straight contours: its root has a corner there and |N| a zero.
 // Told from dot (x, y) of the face.
 [[nodiscard]] std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y);
+
+// Words of a face's block: straight contours' entries, or general ones' tracks, two a boundary of which a level has two.
+constexpr std::size_t contour_block_words(std::int32_t levels) { return 4 * static_cast<std::size_t>(levels) + 16; }
 
 // Makes sphere_contour's registers.
 [[nodiscard]] bool make_sphere(const ShadeJob& job, SphereContours& out);

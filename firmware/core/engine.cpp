@@ -68,7 +68,7 @@ struct Pools {
   std::span<std::uint8_t> band;
   std::span<std::int32_t> scratch;   // of contours: a word a level
   std::span<FaceContours> contours;  // of the first faces
-  std::span<std::uint32_t> blocks;   // of straight contours, of the first of those
+  std::span<std::uint32_t> blocks;   // of contours, of the first of those
 };
 
 std::int32_t state_bytes(const JobHeader& h) { return (h.needs.arc_bytes + 7) / 8 * 8; }
@@ -92,7 +92,7 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   return p;
 }
 
-// Faces on one line whose straight contours are kept, at most: on a page of many small ones they do not pay.
+// Faces on one line whose contours are kept, at most: on a page of many small ones that does not pay.
 constexpr std::size_t most_blocks = 64;
 
 // From what memory is left: for as many faces as fit.
@@ -101,7 +101,7 @@ void carve_contours(Arena& arena, const JobHeader& h, Pools& p) {
   if (arena.left() < levels * sizeof(std::int32_t) + 8) return;
   p.scratch = arena.take<std::int32_t>(levels);
   p.contours = arena.take<FaceContours>(std::min(p.faces.size(), arena.left() / sizeof(FaceContours)));
-  const std::size_t words = straight_block_words(h.page.levels);
+  const std::size_t words = contour_block_words(h.page.levels);
   p.blocks = arena.take<std::uint32_t>(words * std::min({p.contours.size(), most_blocks, arena.left() / (4 * words)}));
 }
 
@@ -208,7 +208,7 @@ class Engine {
     if (module_of(face.kind) == nullptr) return fail(DrawStatus::missing_module);
     ++result_.counters.curved_faces;
     if (number < p_.contours.size()) {
-      const std::size_t words = straight_block_words(h_.page.levels);
+      const std::size_t words = contour_block_words(h_.page.levels);
       p_.contours[number] = {};
       if ((number + 1) * words <= p_.blocks.size())
         p_.contours[number].block = p_.blocks.subspan(number * words, words);
@@ -512,7 +512,7 @@ std::size_t memory_wanted(const JobHeader& header, std::int32_t band_rows) {
   (void)counting.take<std::int32_t>(static_cast<std::size_t>(header.page.levels));
   const auto faces = static_cast<std::size_t>(header.needs.faces);
   (void)counting.take<FaceContours>(faces);
-  (void)counting.take<std::uint32_t>(straight_block_words(header.page.levels) * std::min(faces, most_blocks));
+  (void)counting.take<std::uint32_t>(contour_block_words(header.page.levels) * std::min(faces, most_blocks));
   return memory_needed(header, band_rows) + counting.used();
 }
 

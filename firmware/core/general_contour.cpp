@@ -1,10 +1,12 @@
 // Any face with z^2: a scan line is cut into pieces on which the intensity is proven monotone (ridge_form.hpp), and each piece into
 // chords (level_chord.hpp), whose ends tell where between them the boundaries between levels lie, to a small part of a dot.
+//   Tracks   Once a boundary is found, its path over a strip of lines is sought (boundary_tracks.hpp), and most lines take it from there.
 //   Proof    A place comes with a proven error; a dot within it is asked.
 //   Lengths  A chord as long as keeps that error small: grown from chord to chord, halved where it is not.
-// State   Between lines none but the forms of a block of them, which any line of it could make anew.
+// State   Between lines the forms of a block of them, which any line of it could make anew, and the tracks; a line without them has the same dots.
 #include <algorithm>
 
+#include "firmware/core/boundary_tracks.hpp"
 #include "firmware/core/contour.hpp"
 #include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
@@ -24,6 +26,14 @@ struct Stop {
   LevelDot dot;
 };
 
+// Tracks pay on blocks of so many lines; and a face with straight contours has other use for its block.
+constexpr std::int32_t fewest_lines = 32;
+std::span<std::uint32_t> tracked_block(const FaceContours& face) {
+  const bool pays = face.general.forms.y1 - face.general.forms.y0 >= fewest_lines;
+  return pays && face.kind == ContourKind::general ? face.block : std::span<std::uint32_t>{};
+}
+
+template <class Painter>  // of a row
 class SpanTracer {
  public:
   SpanTracer(const ShadeJob& job, const LineForms& line, std::int32_t y, std::int32_t x0)
@@ -32,6 +42,7 @@ class SpanTracer {
         bars_(job.contours->general.bars),
         line_(job.contours->general.forms, line),
         ridge_(job.contours->general.forms, line),
+        tracks_(job.contours->general, tracked_block(*job.contours), y),
         painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
@@ -51,9 +62,12 @@ class SpanTracer {
     const Answer answer = line_.forms().reaches(x, y_, job_.table.squares[static_cast<std::size_t>(k)]);
     return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
   }
-  // Sought from a level near it, or -1.
-  [[nodiscard]] std::int32_t level_of(const LevelDot& dot, std::int32_t near) const {
-    return search_level(job_.table, near, [&](std::int32_t k) { return reaches(dot, k); });
+  // By a guess from a level's bar: they go up evenly.
+  [[nodiscard]] std::int32_t level_of(const LevelDot& dot) const {
+    const std::int32_t gap = std::max<std::int32_t>(high_product(static_cast<std::int32_t>(bars_.step), dot.n), 1);
+    const std::int32_t near = job_.table.top_level + dot.above(bars_.top) / gap - 1;
+    return search_level(job_.table, std::clamp(near, job_.table.ambient_level, job_.table.top_level),
+                        [&](std::int32_t k) { return reaches(dot, k); });
   }
   [[nodiscard]] Stop stop_at(std::int32_t t) const { return {ridge_.at(t), level_dot(t)}; }
 
@@ -73,6 +87,11 @@ class SpanTracer {
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
   [[nodiscard]] std::int32_t chord_width(const LevelDot& a, const LevelDot& b) const;
+  struct Reached {
+    std::int32_t k;  // the next boundary's level
+    std::int32_t t;  // a dot that it does not lie left of
+  };
+  [[gnu::noinline]] Reached follow(Reached from, std::int32_t end, bool rising, const LevelDot& a, const LevelDot& b);
   void monotone(LevelDot a, const LevelDot& b, bool rising);
   [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                       const LevelPlace& place) const;
@@ -89,13 +108,15 @@ class SpanTracer {
   const LevelBars& bars_;
   LineSection line_;
   RidgeForm ridge_;
-  RunPainter painter_;
+  BoundaryTracks tracks_;
+  Painter painter_;
   std::int32_t level_ = 0;            // so far
   std::int32_t chord_ = first_chord;  // the next one's width, if it may be
 };
 
 // Both, and all dots between them, have the level so far.
-bool SpanTracer::keeps_level(const LevelDot& a, const LevelDot& b) const {
+template <class Painter>
+bool SpanTracer<Painter>::keeps_level(const LevelDot& a, const LevelDot& b) const {
   const LevelChord chord(line_, a, b);
   const auto keeps = [&](int sign, std::int32_t k) {
     const std::uint32_t bar = bars_.at(k);
@@ -106,26 +127,30 @@ bool SpanTracer::keeps_level(const LevelDot& a, const LevelDot& b) const {
 }
 
 // A dot for itself.
-void SpanTracer::dot(const LevelDot& dot) {
-  const std::int32_t next = level_of(dot, level_);
+template <class Painter>
+void SpanTracer<Painter>::dot(const LevelDot& dot) {
+  const std::int32_t next = level_of(dot);
   if (next != level_) turn(dot.t, next);
   level_ = next;
   ++job_.counters.intensities;
 }
 
 // Each dot after `from` up to `to` for itself.
-void SpanTracer::dot_by_dot(const LevelDot& from, const LevelDot& to) {
+template <class Painter>
+void SpanTracer<Painter>::dot_by_dot(const LevelDot& from, const LevelDot& to) {
   for (std::int32_t t = from.t + 1; t < to.t; ++t) dot(level_dot(t));
   dot(to);
 }
 
 // On from `from` to `to`, where the course is not known.
-void SpanTracer::step_over(const LevelDot& from, const LevelDot& to) {
+template <class Painter>
+void SpanTracer<Painter>::step_over(const LevelDot& from, const LevelDot& to) {
   if (to.t - from.t == 1 || !keeps_level(from, to)) dot_by_dot(from, to);
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
-SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) const {
+template <class Painter>
+auto SpanTracer<Painter>::last_alike(RidgeStop from, RidgeStop other) const -> RidgeStop {
   const int sign = from.ridge.sign();
   bool from_moved = false;
   bool other_moved = false;
@@ -152,8 +177,17 @@ SpanTracer::RidgeStop SpanTracer::last_alike(RidgeStop from, RidgeStop other) co
   }
 }
 
-void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
-  const RidgeStop first = last_alike({a.dot.t, a.ridge}, {b.dot.t, b.ridge});
+template <class Painter>
+void SpanTracer<Painter>::ridge_between(const Stop& a, const Stop& b) {
+  RidgeStop from{a.dot.t, a.ridge};
+  RidgeStop to{b.dot.t, b.ridge};
+  std::int32_t& ridge = job_.contours->general.ridge;
+  if (const std::int32_t t = ridge - line_.middle(); from.t < t && t < to.t) {  // near the last line's
+    const RidgeStop there{t, ridge_.at(t)};
+    (there.ridge.sign() == from.ridge.sign() ? from : to) = there;
+  }
+  const RidgeStop first = last_alike(from, to);
+  ridge = line_.middle() + first.t;
   const LevelDot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
   monotone(a.dot, left, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
@@ -165,8 +199,9 @@ void SpanTracer::ridge_between(const Stop& a, const Stop& b) {
 
 // The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
 // than any width.
-inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
-                                         const LevelPlace& place) const {
+template <class Painter>
+std::int32_t SpanTracer<Painter>::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                           const LevelPlace& place) const {
   const std::int32_t before = (place.at - place.error) >> 16;
   const std::int32_t last = (place.at + place.error) >> 16;
   const std::int32_t from = t + std::min(last + 1, width);
@@ -174,7 +209,9 @@ inline std::int32_t SpanTracer::boundary(std::int32_t k, bool rising, std::int32
 }
 
 // The first dot beyond level k between `before`, which is not, and `from`, which is.
-std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_t before, std::int32_t from) const {
+template <class Painter>
+std::int32_t SpanTracer<Painter>::asked_boundary(std::int32_t k, bool rising, std::int32_t before,
+                                                 std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
     const Answer answer = line_.reaches(middle, job_.table.squares[static_cast<std::size_t>(k)]);
@@ -185,36 +222,76 @@ std::int32_t SpanTracer::asked_boundary(std::int32_t k, bool rising, std::int32_
 }
 
 // Of the next chord from a. Where s halves before the end, that is a limb, and a chord into it would be cut (level_chord.cpp).
-std::int32_t SpanTracer::chord_width(const LevelDot& a, const LevelDot& b) const {
+template <class Painter>
+std::int32_t SpanTracer<Painter>::chord_width(const LevelDot& a, const LevelDot& b) const {
   const std::int32_t rest = b.t - a.t;
   if (rest > 1 && rest < 2 * chord_ && (a.s / 2 > b.s || b.s / 2 > a.s)) return rest / 2;
   return rest <= chord_ + chord_ / 2 ? rest : chord_;
 }
 
+// Boundaries from level k on that have paths, between dots a and b of a piece: no dot of theirs is computed but to ask.
+template <class Painter>
+auto SpanTracer<Painter>::follow(Reached from, std::int32_t end, bool rising, const LevelDot& a, const LevelDot& b)
+    -> Reached {
+  const std::int32_t sign = rising ? 1 : -1;
+  const std::int32_t below = rising ? 0 : 1;
+  const std::int32_t middle = line_.middle();
+  const std::int32_t first = middle + a.t;
+  const std::int32_t last = middle + b.t;
+  const std::int32_t v = tracks_.line();
+  std::int32_t beyond = 0;
+  std::int32_t k = from.k;
+  Painter painter = painter_;
+  BoundaryTracks::Slot slot = tracks_.slot_of(k, rising);
+  for (; k != end; k += sign, slot += sign * BoundaryTracks::slot_words) {
+    if (!tracks_.has_path(slot, k, rising)) break;
+    const std::uint32_t place = slot[0];
+    const std::int32_t x = BoundaryTracks::x_of(place, slot[1], v);
+    const std::int32_t error = BoundaryTracks::error_of(place);
+    const std::int32_t before = (x - error) >> 16;
+    const std::int32_t there = (x + error) >> 16;
+    if (before < first || there >= last) break;
+    beyond = there + 1;
+    if (there != before) beyond = middle + asked_boundary(k, rising, before - middle, beyond - middle);
+    painter.change(beyond, k - below);
+  }
+  painter_ = painter;
+  return {k, k == from.k ? from.t : beyond - 1 - middle};
+}
+
 // From a to b, where levels only rise or fall. A lead is F where they rise, -F where they fall: it goes up.
-void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
+template <class Painter>
+void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
   const std::int32_t sign = rising ? 1 : -1;
   const std::int32_t below = rising ? 0 : 1;  // of a boundary's level, what is painted beyond it
-  const std::int32_t end = rising ? job_.table.top_level + 1 : job_.table.ambient_level;
+  const std::int32_t last_level = level_of(b);
+  const std::int32_t end = rising ? last_level + 1 : last_level;
   const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
-  std::uint32_t bar = bars_.at(k);
+  if ((end - k) * sign <= 0) return;
+  job_.counters.level_spans += static_cast<std::uint32_t>((end - k) * sign);
+  level_ = last_level;
   const auto is_beyond = [&](const LevelDot& dot, std::int32_t lead) {
     return k != end && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
   // As many levels as dots: dots one by one take less.
-  const auto is_crowded = [&](const Lead& lead, std::int32_t width) {
+  const auto is_crowded = [&](const Lead& lead, std::uint32_t bar, std::int32_t width) {
     return (end - k) * sign > width && lead.of(bar + static_cast<std::uint32_t>(width) * bar_step) > 0;
   };
-  const Lead lead_b = b.lead(sign);
-  Lead lead_a = a.lead(sign);
-  std::int32_t at_a = lead_a.of(bar);
-  bool more = is_beyond(b, lead_b.of(bar));
-  while (more) {
+  std::int32_t followed = -1;
+  while (k != end && a.t < b.t) {
+    if (k != followed && tracks_.any() && tracks_.may_have_path(k, rising)) {
+      const Reached reached = follow({k, a.t}, end, rising, a, b);
+      followed = reached.k;
+      if (reached.k == end) return;
+      if (reached.t > a.t) a = level_dot(reached.t);
+      k = reached.k;
+    }
     const std::int32_t rest = b.t - a.t;
     const std::int32_t width = chord_width(a, b);
     const LevelDot c = width == rest ? b : level_dot(a.t + width);
     const Lead lead_c = c.lead(sign);
+    std::uint32_t bar = bars_.at(k);
     std::int32_t at_c = lead_c.of(bar);
     if (!is_beyond(c, at_c)) {
       chord_ = std::min(width + width / 4 + 1, longest_half);
@@ -227,14 +304,14 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       } while (is_beyond(c, at_c));
       painter_.change(line_.middle() + c.t, k - sign - below);
       if (k - before == sign) chord_ = 2;
-      more = is_beyond(b, lead_b.of(bar));
-    } else if (is_crowded(lead_c, width)) {
+    } else if (is_crowded(lead_c, bar, width)) {
       chord_ = 1;
       continue;
     } else {
       LevelChord chord(line_, a, c);
       if (!rising) chord.mirror();
-      LevelPlace place = chord.place(bar, at_a, at_c);
+      const Lead lead_a = a.lead(sign);
+      LevelPlace place = chord.place(bar, lead_a.of(bar), at_c);
       if (width > 2 && place.error > coarse) {
         chord_ = width / 2;
         continue;
@@ -244,24 +321,21 @@ void SpanTracer::monotone(LevelDot a, const LevelDot& b, bool rising) {
       const std::int32_t middle = line_.middle();
       for (;;) {
         painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
+        if (place.error < coarse) tracks_.begin(k, rising, a.t * (1 << 16) + place.at);
         k += sign;
         bar += bar_step;
         at_c = lead_c.of(bar);
         if (!is_beyond(c, at_c)) break;
         place = chord.place(bar, lead_a.of(bar), at_c);
       }
-      more = width != rest && is_beyond(b, lead_b.of(bar));
     }
     a = c;
-    lead_a = lead_c;
-    at_a = at_c;
   }
-  job_.counters.level_spans += static_cast<std::uint32_t>(rising ? k - 1 - level_ : level_ - k);
-  level_ = rising ? k - 1 : k;
 }
 
 // What is known from a to b, b drawn nearer until that is something or they are near each other.
-SpanTracer::Piece SpanTracer::next_piece(const Stop& a, Stop& b) const {
+template <class Painter>
+auto SpanTracer<Painter>::next_piece(const Stop& a, Stop& b) const -> Piece {
   for (;;) {
     const Course course = ridge_.course(a.ridge, b.ridge);
     if (course != Course::unsure) return {course, false};
@@ -271,10 +345,11 @@ SpanTracer::Piece SpanTracer::next_piece(const Stop& a, Stop& b) const {
   }
 }
 
-void SpanTracer::run(std::int32_t x0, std::int32_t x1) {
+template <class Painter>
+void SpanTracer<Painter>::run(std::int32_t x0, std::int32_t x1) {
   Stop a = stop_at(x0 - line_.middle());
   const Stop last = stop_at(x1 - line_.middle());
-  level_ = level_of(a.dot, -1);
+  level_ = level_of(a.dot);
   painter_.change(x0, level_);
   ++job_.counters.level_spans;
   std::int32_t reach = 2 * longest_half;  // of a piece, as far as is worth a try
@@ -302,8 +377,15 @@ bool is_dark(const ShadeJob& job, std::int32_t y) {
 
 void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   SectionForms& forms = job.contours->general.forms;
-  if (!forms.holds(y, x0, x1)) forms.cover(job, y, x0, x1);
-  if (!is_dark(job, y)) return SpanTracer(job, forms.on(y), y, x0).run(x0, x1);
+  if (!forms.holds(y, x0, x1)) {
+    forms.cover(job, y, x0, x1);
+    job.contours->general.strip.drop();
+  }
+  if (!is_dark(job, y)) {
+    const LineForms line = forms.on(y);
+    if (job.painter.is_bilevel()) return SpanTracer<BilevelRuns>(job, line, y, x0).run(x0, x1);
+    return SpanTracer<RunPainter>(job, line, y, x0).run(x0, x1);
+  }
   job.painter.fill(x0, x1, job.table.ambient_level);
   ++job.counters.level_spans;
 }

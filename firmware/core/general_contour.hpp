@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "firmware/core/section_forms.hpp"
+#include "firmware/core/track_strip.hpp"
 
 namespace halfspace {
 
@@ -22,6 +23,8 @@ struct LevelBars {
 struct GeneralContours {
   SectionForms forms;
   LevelBars bars;
+  TrackStrip strip;
+  std::int32_t ridge = 0;  // of the last line, on the page: where the next one's is sought
 };
 
 }  // namespace halfspace

@@ -54,7 +54,4 @@ inline constexpr int entry_level_bits = 8;
 // Lines from the surveyed one, up or down, that a survey holds for; and towards the apex three quarters of the way.
 inline constexpr std::int32_t survey_lines = 512;
 
-// Words of entries that a face can have; with more its contours are found otherwise.
-constexpr std::size_t straight_block_words(std::int32_t levels) { return 2 * static_cast<std::size_t>(levels) + 16; }
-
 }  // namespace halfspace

@@ -21,7 +21,7 @@ class Contours {
         words_(row_words(page_)),
         squares_(static_cast<std::size_t>(levels)),
         scratch_(static_cast<std::size_t>(levels)),
-        block_(straight_block_words(levels)),
+        block_(contour_block_words(levels)),
         table_(make_levels(lighting, levels, squares_)) {
     contours.block = block_;
   }
