@@ -23,7 +23,7 @@ class RadicalLine {
     shift_ = plane.fraction + unit;
     if (!is_usable()) return;
     const std::int32_t reach = std::max(std::abs(k_.x0 - inner.origin_x), std::abs(k_.x1 - inner.origin_x));
-    error_ = 2 + (2 * (reach + std::abs(y - inner.origin_y) + 1) >> shift_);
+    error_ = 2 + (std::int64_t{2} * (reach + std::abs(y - inner.origin_y) + 1) >> shift_);
   }
   [[nodiscard]] bool is_usable() const { return k_.error >= 0 && k_.shift < 63 && shift_ >= 0 && shift_ < 64; }
 
