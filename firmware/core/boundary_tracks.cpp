@@ -7,6 +7,9 @@ constexpr std::uint32_t rest = 4, rests = 1;      // strips that pass before wha
 constexpr int most_tries = 4;                     // of a fit
 constexpr std::int32_t largest_error = 31 << 10;  // of a path kept, 2^-16 dot
 
+// Of a path, on the page in 2^-16 dot: on the lines up to the next strip's it moves by less than 4096 dots, and fits.
+constexpr std::int64_t farthest = std::int64_t{(1 << 15) - 4096} << 16;
+
 std::int32_t size(std::int32_t v) { return v < 0 ? -v : v; }
 
 }  // namespace
@@ -74,10 +77,10 @@ bool BoundaryTracks::fit(Slot slot, std::int32_t k, bool rising, TrackCurve gues
 
 bool BoundaryTracks::keep(Slot slot, bool rising, const TrackCurve& curve, std::int32_t error) {
   TrackStrip& strip = face_.strip;
-  const std::int32_t x = curve.x + middle_;
+  const std::int64_t x = std::int64_t{curve.x} + middle_;
   const std::int32_t ddx = curve.bend / (strip.half * strip.half);
   const std::int32_t dx = curve.slope / strip.half;
-  if (ddx != static_cast<std::int16_t>(ddx) || size(dx) >= 1 << 19) return false;
+  if (x >= farthest || ddx != static_cast<std::int16_t>(ddx) || size(dx) >= 1 << 19) return false;
   const std::uint32_t shape =
       (static_cast<std::uint32_t>(dx) << 12 & 0xffff0000U) | (static_cast<std::uint32_t>(ddx) & 0xffffU);
   const std::int32_t all = error + 128 + size(curve.slope - strip.half * (static_cast<std::int32_t>(shape) >> 12)) +

@@ -28,7 +28,7 @@ struct TrackStrip {
   std::int32_t first = 0, end = 0;    // its lines, on the page
   std::int32_t middle = 0, half = 0;  // w = (y - middle) / half; 0: there was no strip yet
   std::int32_t way = 0;               // to the middle from that of the strip before
-  // From line to line, 2^-16 dot: of the last course found that falls, and that rises. A guess at the next one's.
+  // From line to line, 2^-16 dot: of the last path found of a boundary that falls, and of one that rises. A guess at the next one's.
   struct Shape {
     std::int32_t dx = 0, ddx = 0;
   } last[2];
