@@ -205,7 +205,7 @@ class SphereSpan {
       const Crossing at = crossing(k);
       if (at.error < 0 && begins && ends) return out;
       std::int32_t left = begins ? left_of(at, k) : x0_;
-      std::int32_t right = ends ? right_of(at, k) : x1_;
+      std::int32_t right = ends ? right_of(at, left, k) : x1_;
       if (begins && ends && (left <= x0_ || right <= left || right > x1_)) return out;
       *out++ = std::min(right, x1_) << 16 | std::clamp(left, x0_, x1_);
       --count;
@@ -263,11 +263,12 @@ class SphereSpan {
     if ((t & (one_dot - 1)) >= 2 * at.error) return t >> place_bits;
     return first(true, (t - 2 * at.error) >> place_bits, t >> place_bits, k);
   }
-  // The first dot beyond.
-  [[nodiscard]] std::int32_t right_of(const Crossing& at, std::int32_t k) const {
+  // The first dot beyond, from `left`, the first inside, on: of an interval as narrow as its own error the dots before it are
+  // no more inside than those after it.
+  [[nodiscard]] std::int32_t right_of(const Crossing& at, std::int32_t left, std::int32_t k) const {
     const std::int32_t t = at.centre + at.half + at.error + one_dot;
     if ((t & (one_dot - 1)) >= 2 * at.error) return t >> place_bits;
-    return first(false, (t - 2 * at.error) >> place_bits, t >> place_bits, k);
+    return first(false, std::max(left, (t - 2 * at.error) >> place_bits), t >> place_bits, k);
   }
   // The first dot of from .. to that is, or is not, inside level k's interval; `to` at the latest.
   [[nodiscard, gnu::noinline]] std::int32_t first(bool inside, std::int32_t from, std::int32_t to,

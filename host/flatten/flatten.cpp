@@ -26,8 +26,10 @@ namespace {
 constexpr std::int32_t page_limit = 32767;
 constexpr std::size_t most_families = std::size_t{1} << 32;  // of a group
 // Bounds hold for depths this close to vrp, or to the body where it lies elsewhere. A surface reaches further only
-// where it is nearly parallel to the rays.
+// where it is nearly parallel to the rays. A plane is then held as deep as it goes on the page in its bodies, since it costs only a
+// bit for each doubling: of a wedge whose sides are a billionth apart the rays see the edge at some 10^9 dots.
 const Real depth_limit = power_of_two(20);
+const Real plane_depth_limit = power_of_two(40);
 // A body off the page is rounded where it is, up to here and up to depth_limit across; one that is further off or larger
 // is rounded for the page, where it is not.
 const Real far_limit = power_of_two(25);
@@ -169,12 +171,17 @@ class Flattener {
       fail(Severity::warning, view_.position,
            "there is nothing to draw: the scene places no solid; the page stays empty");
     }
+    if (extent) result_.scene.extent = {to_doubles(extent->low), to_doubles(extent->high)};
     const Device device{options_.width, options_.height, Real(options_.aspect_numerator) / options_.aspect_denominator};
     page_ = fit_window(view_, device, extent.value_or(Box{}));
     result_.scene.scissor = page_.scissor;
     const auto lighting = light_scene(source_, view_, page_, result_.diagnostics);
     if (lighting) result_.scene.lighting = *lighting;
     return lighting.has_value();
+  }
+
+  static std::array<double, 3> to_doubles(const Vector3& v) {
+    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
   }
 
   // Instances of one body are affine images of each other, on which it does not depend whether quadrics meet; unless the view's own planes
@@ -201,13 +208,15 @@ class Flattener {
     move_places(page_.dot_to_view());
     if (!transform_half_spaces()) return false;
     boxes_.reserve(placed_.bodies.size());
+    body_boxes_.reserve(placed_.bodies.size());
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
       const PlacedBody& body = placed_.bodies[i];
-      boxes_.push_back(box_of(body, extent_on_page(i)));
-      const Region own = region_of(boxes_.back(), std::max(options_.width, options_.height));
+      body_boxes_.push_back(box_of(body, extent_on_page(i)));
+      boxes_.push_back(with_depth_limited(body_boxes_.back().box, depth_limit));
       for (const HalfSpaceUse& use : body.uses) {
-        auto& known = half_spaces_[use.half_space].region;
-        known = known ? around(*known, own) : own;
+        PageHalfSpace& h = half_spaces_[use.half_space];
+        const Region region = region_in_body(h.shape, i);
+        h.region = h.region ? around(*h.region, region) : region;
       }
     }
     mate();
@@ -249,17 +258,55 @@ class Flattener {
     return box.low[0] >= -1 && box.low[1] >= -1 && box.high[0] <= options_.width && box.high[1] <= options_.height;
   }
 
+  struct BodyBox {
+    Box box;
+    bool has_depth_end = true;  // else the box holds some of its points
+  };
+
   // The part of the body on the page; of a body that lies off it all, and the page where even that says nothing.
-  [[nodiscard]] Box box_of(const PlacedBody& body, const Extent& whole) {
+  [[nodiscard]] BodyBox box_of(const PlacedBody& body, const Extent& whole) {
     const bool has_end = !whole.empty && !whole.unbounded;
-    if (has_end && is_on_page(whole.box)) return with_depth_limited(whole.box);
+    if (has_end && is_on_page(whole.box)) return {whole.box};
     const std::vector<Side> sides = sides_of(body);
     const std::vector<Side> on_page = with_page(sides, {0, 0, 0});
     const Extent part = extent_of(on_page, dot_slack, quadrics_meet(body, sides) && quadrics_may_meet(on_page));
-    if (!part.empty && !part.unbounded) return with_depth_limited(part.box);
-    if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return with_depth_limited(whole.box);
+    if (!part.empty && !part.unbounded) return {part.box};
+    if (part.empty && !part.unbounded && has_end && is_near(whole.box)) return {whole.box};
     const Box endless = endless_box();
-    return part.empty ? endless : with_depth_limited(around(endless, part.box));
+    return {part.empty ? endless : around(endless, part.box), !part.unbounded};
+  }
+
+  // Where a body needs the surface.
+  [[nodiscard]] Region region_in_body(const RealHalfSpace& shape, std::size_t body) const {
+    const Box box = shape.kind == HalfSpaceKind::plane ? box_of_plane(shape, body_boxes_[body]) : boxes_[body];
+    return region_of(box, std::max(options_.width, options_.height));
+  }
+
+  // The body's box, and as far beyond depth_limit as the plane goes over the page.
+  [[nodiscard]] Box box_of_plane(const RealHalfSpace& plane, const BodyBox& body) const {
+    Box box = with_depth_limited(body.box, depth_limit);
+    Box deep = body.box;
+    if (!body.has_depth_end) {
+      deep.low[2] = vrp_depth() - plane_depth_limit;
+      deep.high[2] = view_.perspective ? Real(0) : plane_depth_limit;
+    }
+    if (deep.low[2] == box.low[2] && deep.high[2] == box.high[2]) return box;
+    const auto [low, high] = depths_over_page(plane, with_depth_limited(deep, plane_depth_limit));
+    box.low[2] = smaller(box.low[2], low);
+    box.high[2] = larger(box.high[2], high);
+    return box;
+  }
+
+  // Of a plane, where it is within the box's depths; else one of the box's ends, twice.
+  [[nodiscard]] std::pair<Real, Real> depths_over_page(const RealHalfSpace& plane, const Box& box) const {
+    const auto& c = plane.c;
+    if (c[2] == 0) return {box.low[2], box.high[2]};
+    const Real width = options_.width;
+    const Real height = options_.height;
+    const Real middle = -(c[0] * (width - 1) / 2 + c[1] * (height - 1) / 2 + c[3]) / c[2];
+    const Real spread = (magnitude(c[0]) * (width + 1) + magnitude(c[1]) * (height + 1)) / magnitude(2 * c[2]);
+    const auto within = [&box](Real z) { return larger(box.low[2], smaller(z, box.high[2])); };
+    return {within(middle - spread), within(middle + spread)};
   }
 
   // Known from fitting the window, unless clipping planes have come since.
@@ -291,10 +338,10 @@ class Flattener {
     return view_.perspective ? -dot(difference(view_.vrp, view_.cop), view_.into) * page_.scale_y : Real(0);
   }
 
-  [[nodiscard]] Box with_depth_limited(Box box) const {
+  [[nodiscard]] Box with_depth_limited(Box box, Real limit) const {
     const Real middle = smaller(larger(vrp_depth(), box.low[2]), box.high[2]);
-    box.low[2] = larger(box.low[2], middle - depth_limit);
-    box.high[2] = smaller(box.high[2], middle + depth_limit);
+    box.low[2] = larger(box.low[2], middle - limit);
+    box.high[2] = smaller(box.high[2], middle + limit);
     return box;
   }
 
@@ -314,36 +361,39 @@ class Flattener {
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       if (!half_spaces_[i].region) continue;
       const PlacedHalfSpace& own = placed_.half_spaces[i];
-      const auto join = [&](const PlacedHalfSpace& source, const RealHalfSpace& on_page) {
-        return join_surface(source, on_page, i, users[i], mating);
+      const auto join = [&](const PlacedHalfSpace& source, const RealHalfSpace& on_page, const Region& region) {
+        return join_surface({on_page, &source, &placed_.places[source.place]}, region, i, users[i], mating);
       };
-      half_spaces_[i].use = join(own, half_spaces_[i].shape);
-      half_spaces_[i].planes = join_plane_pair(own, join);
+      half_spaces_[i].use = join(own, half_spaces_[i].shape, *half_spaces_[i].region);
+      half_spaces_[i].planes = join_plane_pair(own, users[i], join);
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].region = mating.region_of(i);
   }
 
   // None where it has no surface.
-  std::optional<SurfaceUse> join_surface(const PlacedHalfSpace& source, const RealHalfSpace& on_page,
-                                         std::size_t half_space, const std::vector<std::uint32_t>& users,
-                                         SurfaceMating& mating) {
-    if (!has_surface(on_page, source.kin)) return std::nullopt;
-    const auto match =
-        mating.add({on_page, &source, &placed_.places[source.place]}, *half_spaces_[half_space].region, users);
+  std::optional<SurfaceUse> join_surface(const MatingSurface& surface, const Region& region, std::size_t half_space,
+                                         const std::vector<std::uint32_t>& users, SurfaceMating& mating) {
+    const PlacedHalfSpace& source = *surface.source;
+    if (!has_surface(surface.on_page, source.kin)) return std::nullopt;
+    const auto match = mating.add(surface, region, users);
     if (match.leader == surfaces_.size()) surfaces_.push_back({{}, source.shape, source.place, half_space, false, {}});
     return SurfaceUse{match.leader, match.opposite, match.apart};
   }
 
   // A quadric that is two planes joins with each of them too, so that it touches what they do.
   template <typename Join>
-  std::optional<std::array<SurfaceUse, 2>> join_plane_pair(const PlacedHalfSpace& source, const Join& join) {
+  std::optional<std::array<SurfaceUse, 2>> join_plane_pair(const PlacedHalfSpace& source,
+                                                           const std::vector<std::uint32_t>& users, const Join& join) {
     if (source.shape.kind != HalfSpaceKind::quadric) return std::nullopt;
     const auto pair = plane_pair_of(source.shape, source.kin);
     if (!pair) return std::nullopt;
     std::array<std::optional<SurfaceUse>, 2> uses;
     for (std::size_t k = 0; k < 2; ++k) {
       plane_factors_.push_back({(*pair)[k], source.place, source.transparent, source.name, source.position});
-      uses[k] = join(plane_factors_.back(), transformed((*pair)[k], placed_.places[source.place]));
+      const RealHalfSpace on_page = transformed((*pair)[k], placed_.places[source.place]);
+      Region region = region_in_body(on_page, users.front());
+      for (const std::uint32_t body : users) region = around(region, region_in_body(on_page, body));
+      uses[k] = join(plane_factors_.back(), on_page, region);
     }
     if (!uses[0] || !uses[1]) return std::nullopt;
     const bool are_one = uses[0]->surface == uses[1]->surface;
@@ -592,7 +642,8 @@ class Flattener {
   std::vector<Surface> surfaces_;
   std::unordered_map<const BodyStatement*, bool> meetings_;  // may quadrics meet in it?
   std::vector<Extent> extents_;  // of the bodies in the view frame, if the window needed them
-  std::vector<Box> boxes_;       // of the bodies, in dots
+  std::vector<BodyBox> body_boxes_;
+  std::vector<Box> boxes_;  // of the bodies, in dots, with their depths limited
 };
 
 }  // namespace

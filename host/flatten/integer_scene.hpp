@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,13 +65,20 @@ struct Scissor {
   std::int32_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
 };
 
+// The box of all solids in the view frame (right, down, into the scene; in world units), to which a window without both
+// half-sizes is fitted.
+struct PictureExtent {
+  std::array<double, 3> low{}, high{};
+};
+
 struct IntegerScene {
   std::int32_t width = 0, height = 0;  // dots, 1 .. 32767
   std::int32_t levels = 2;             // 2 .. 256
   Scissor scissor;
   IntegerLighting lighting;
-  std::vector<IntegerBody> bodies;  // flattened order: the first wins a tie
-  double bound = 0;                 // dots: the largest of the half-spaces' bounds
+  std::vector<IntegerBody> bodies;      // flattened order: the first wins a tie
+  double bound = 0;                     // dots: the largest of the half-spaces' bounds
+  std::optional<PictureExtent> extent;  // where the view needs one and there are solids; no part of the truth
 };
 
 // Ties: of faces at the least depth the first body wins, then its first half-space, then the front sheet.

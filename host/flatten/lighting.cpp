@@ -53,25 +53,40 @@ std::array<Vector4, 3> narrow_rows(const View& view, const PageMap& page) {
 }
 
 // The last column of a perspective view is (0, 0, 1), so its factor is an integer, and even where there is room: that
-// keeps the page's middle exact.
-std::vector<std::int64_t> perspective_entries(const std::vector<Real>& entries) {
+// keeps the page's middle exact. Entries have 15 bits, or 24 where the eye is so near to the view plane for the page's size that its
+// distance, the first entry and the sixth, would have fewer than 9: then half a unit turns normals by less than half a level.
+// None where that does not do either.
+constexpr int least_distance_bits = 9;
+constexpr int wide_entry_bits = 24;
+
+std::optional<std::vector<std::int64_t>> perspective_entries(const std::vector<Real>& entries) {
   Real most = 1;
   for (const Real v : entries) most = larger(most, magnitude(v));
-  const Real factor = larger(1, 2 * floor_of(power_of_two(entry_bits - 1) / most));
+  const auto factor_for = [most](int bits) { return larger(1, 2 * floor_of(power_of_two(bits - 1) / most)); };
+  const auto has_distance = [&entries](Real factor) {
+    return smaller(entries[0], entries[5]) * factor >= power_of_two(least_distance_bits);
+  };
+  Real factor = factor_for(entry_bits);
+  if (!has_distance(factor)) factor = factor_for(wide_entry_bits);
+  if (!has_distance(factor)) return std::nullopt;
   std::vector<std::int64_t> result;
   result.reserve(entries.size());
   for (const Real v : entries) result.push_back(to_int(v * factor));
   return result;
 }
 
-void set_normal_matrix(const View& view, const PageMap& page, IntegerLighting& lighting) {
+// False: the eye is too near to the view plane.
+bool set_normal_matrix(const View& view, const PageMap& page, IntegerLighting& lighting) {
   std::array<Vector4, 3> rows = normal_rows(view, page);
   const bool narrow = is_narrow(view, rows);
   if (narrow) rows = narrow_rows(view, page);
   std::vector<Real> entries;
   for (const Vector4& row : rows) entries.insert(entries.end(), row.begin(), row.end());
-  const auto integers = view.perspective && !narrow ? perspective_entries(entries) : scale_to_entries(entries);
-  for (std::size_t i = 0; i < 12; ++i) lighting.normal_matrix[i / 4][i % 4] = integers[i];
+  const auto integers =
+      view.perspective && !narrow ? perspective_entries(entries) : std::optional(scale_to_entries(entries));
+  if (!integers) return false;
+  for (std::size_t i = 0; i < 12; ++i) lighting.normal_matrix[i / 4][i % 4] = (*integers)[i];
+  return true;
 }
 
 // The parser has warned of intensities outside [0, 1].
@@ -132,7 +147,13 @@ std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view,
   const Vector3 light{dot(towards, view.right), dot(towards, view.down), dot(towards, view.into)};
   const auto entries = scale_to_entries(light);
   for (std::size_t i = 0; i < 3; ++i) lighting.light[i] = entries[i];
-  set_normal_matrix(view, page, lighting);
+  if (!set_normal_matrix(view, page, lighting)) {
+    diagnostics.push_back(
+        {Severity::limit, view.position,
+         "the eye is too near to the view plane for so wide a window; move cop away from vrp, or make the "
+         "window or what it is fitted to smaller"});
+    return std::nullopt;
+  }
   return lighting;
 }
 

@@ -24,6 +24,13 @@ Real quadric_reach(const std::array<Real, 10>& c, const LocalBox& box) {
   return total;
 }
 
+// How far the plane form / most, nearly h, is from h in the box.
+Real plane_moved(const IntegerForm& form, Real most, const RealHalfSpace& h, const LocalBox& box) {
+  Vector4 apart{};
+  for (std::size_t i = 0; i < 4; ++i) apart[i] = to_real(form.c[i]) / most - h.c[i];
+  return reach(apart, box) / length({h.c[0], h.c[1], h.c[2]});
+}
+
 // Both on the local frame, `h` normalised. The proportions of h where these are small integers.
 std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& box) {
   const std::size_t count = coefficient_count(h.kind);
@@ -39,7 +46,7 @@ std::optional<Quantised> take_exactly(const RealHalfSpace& h, const LocalBox& bo
   }
   bool is_exact = true;
   for (std::size_t i = 0; i < count; ++i) is_exact = is_exact && to_real(result.form.c[i]) == h.c[i] * most;
-  if (!is_exact) result.bound = dropped_part(box);
+  if (!is_exact) result.bound = is_plane ? plane_moved(result.form, most, h, box) : dropped_part(box);
   if (result.bound > box.target) return std::nullopt;
   return result;
 }

@@ -149,6 +149,49 @@ TEST(Limits, AGiantLeavesASmallBodyItsAccuracy) {
   for (const IntegerHalfSpace& h : scene.bodies.at(0).half_spaces) EXPECT_LT(h.bound, 0x1p-13) << h.name;
 }
 
+// A window a hundred times as wide as the eye is far away has normals as exact as any; one 10^9 times as wide is refused.
+TEST(Limits, OfWideViews) {
+  const auto window = [](const std::string& half) {
+    return "quadric s <1 1 1 0 0 0 0 0 -2 3>; body b (s); view v cop 0 0 -1 whw " + half + " whh " + half + ";";
+  };
+  const IntegerScene wide = flat(window("50"), page(200, 200));
+  EXPECT_GE(wide.lighting.normal_matrix[0][0], 1 << 9);
+  EXPECT_NE(complaints(window("1e9"), page(200, 200)).find("too near to the view plane"), std::string::npos);
+}
+
+// A wedge with an angle of a billionth, seen along its sides: the edge is 2 10^10 dots behind vrp.
+TEST(Limits, AWedgeAlongTheRaysEndsWhereItShould) {
+  const IntegerScene scene = flat(straight_view +
+                                      "plane side <1 0 0.000000001 -1>; plane other <-1 0 0 -1>; plane y <0 1 0 0>;"
+                                      "plane z <0 0 1 0>; body wedge (side other y !z);",
+                                  page(200, 200));
+  const IntegerBody& wedge = scene.bodies[0];
+  const auto off = [&](const IntegerHalfSpace& h, int x, long z) {  // dots from (x, 0, z)
+    return mpq_class(value_at(wedge, h, {x, 0, mpz_class(z)}) / h.c[0]).get_d();
+  };
+  EXPECT_NEAR(off(wedge.half_spaces[0], 90, 20'000'000'000), 0, 1e-3);
+  EXPECT_NEAR(off(wedge.half_spaces[0], 110, 0), 0, 1e-3);
+  EXPECT_NEAR(off(wedge.half_spaces[1], 90, 20'000'000'000), 0, 1e-3);
+}
+
+// Two bodies' sides are the same near vrp, but not as deep as a wedge goes, or a body without end.
+TEST(Limits, PlanesMateAsDeepAsTheirBodiesGo) {
+  const std::string surfaces =
+      "plane side <1 0 0.000001 -1>; plane end <1 0 0 -1>; plane other <-1 0 0 -1>;"
+      "plane y <0 1 0 0>; plane y1 <0 -1 0 -1>; plane z <0 0 1 0>; plane back <0 0 1 -5>;";
+  const auto bodies_share_a_side = [&](const std::string& bodies) {
+    const IntegerScene scene = flat(straight_view + surfaces + bodies, page(200, 200));
+    const auto slope = [&](std::size_t body) {
+      const auto& c = scene.bodies[body].half_spaces[0].c;
+      return mpq_class(mpq_class(c[2]) / c[0]);
+    };
+    return slope(0) == slope(1);
+  };
+  EXPECT_TRUE(bodies_share_a_side("body a (side other y y1 !z back); body b (end other y y1 !z back);"));
+  EXPECT_FALSE(bodies_share_a_side("body a (side other y y1 !z); body b (end other y y1 !z back);"));
+  EXPECT_FALSE(bodies_share_a_side("body a (side other y y1 !z back); body b (end other y y1 !z);"));
+}
+
 TEST(Real, DecimalsAndIntegersRoundTrip) {
   EXPECT_EQ(decimal_to_real("0.5") * 2, 1);
   EXPECT_EQ(decimal_to_real("-1.25e2"), -125);

@@ -14,6 +14,7 @@
 #include "host/flatten/extent.hpp"
 #include "tests/flatten/flatten_fixture.hpp"
 #include "tests/oracle/dice.hpp"
+#include "tests/oracle/parabolas.hpp"
 
 namespace halfspace {
 namespace {
@@ -248,36 +249,10 @@ struct RandomMeeting {
   }
 };
 
-struct Parabola {
-  double a = 0, b = 0, c = 0;
-};
-
-// The least of the largest of some parabolas, of which one opens upwards: at a vertex or where two cross.
-double least_of_largest(const std::vector<Parabola>& all) {
-  double least = std::numeric_limits<double>::infinity();
-  const auto try_at = [&](double w) {
-    double largest = -std::numeric_limits<double>::infinity();
-    for (const Parabola& p : all) largest = std::max(largest, (p.a * w + p.b) * w + p.c);
-    least = std::min(least, largest);
-  };
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].a > 0) try_at(-all[i].b / (2 * all[i].a));
-    for (std::size_t j = 0; j < i; ++j) {
-      const Parabola d{all[i].a - all[j].a, all[i].b - all[j].b, all[i].c - all[j].c};
-      const double discriminant = d.b * d.b - 4 * d.a * d.c;
-      if (discriminant < 0) continue;
-      const double far = -d.b - std::copysign(std::sqrt(discriminant), d.b);
-      if (far != 0) try_at(2 * d.c / far);
-      if (d.a != 0) try_at(far / (2 * d.a));
-    }
-  }
-  return least;
-}
-
 // How deep inside the half-spaces the body's section with a plane lies, negative if there is one: line by line, all of the plane.
 double depth_of_section(const RandomMeeting& body, std::size_t axis, double at) {
   const auto depth_at = [&](double v) {
-    std::vector<Parabola> parabolas;
+    std::vector<oracle::Parabola> parabolas;
     for (const Side& side : body.sides) {
       std::array<double, 3> value{};
       for (std::size_t i = 0; i < 3; ++i) {
@@ -289,7 +264,7 @@ double depth_of_section(const RandomMeeting& body, std::size_t axis, double at) 
       }
       parabolas.push_back({(value[0] + value[2]) / 2 - value[1], (value[2] - value[0]) / 2, value[1]});
     }
-    return least_of_largest(parabolas);
+    return oracle::least_of_largest(parabolas);
   };
   std::vector<std::pair<double, double>> found;  // depth and place
   constexpr int lines = 200;

@@ -58,7 +58,7 @@ void QuantisationError::extend(const QuantisationError& other) {
 
 QuantisationError quantisation_error(const Scene& scene, const IntegerScene& integers, const Levels& levels) {
   const oracle::TrueScene truth = oracle::true_scene(scene);
-  const oracle::Fit fit = *oracle::fit_to_page(truth, integers.width, integers.height);
+  const oracle::Fit fit = *oracle::fit_to_page(truth, integers);
   const oracle::RayCaster<double> quick(truth, fit, integers.width, integers.height, integers.levels);
   const oracle::RayCaster<oracle::Real> sure(truth, fit, integers.width, integers.height, integers.levels);
   QuantisationError error;

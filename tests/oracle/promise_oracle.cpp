@@ -4,90 +4,24 @@
 #include <array>
 #include <cmath>
 
+#include "tests/oracle/solid_extent.hpp"
+
 namespace halfspace::oracle {
 namespace {
 
-// --- The extent of a picture, sampled from within; empty if nothing or no end was found.
-
-struct Extent {
-  double least[2] = {1e300, 1e300};  // u, v on the view plane
-  double most[2] = {-1e300, -1e300};
-  double least_at[2] = {}, most_at[2] = {};  // the other coordinate there
-
-  [[nodiscard]] bool found() const { return least[0] <= most[0]; }
-};
-
-class ExtentSearch {
- public:
-  // A page of no size at one dot a unit: x is u, and y is -v.
-  explicit ExtentSearch(const TrueScene& scene) : caster_(scene, Fit{}, 0, 0, 2) {}
-
-  Extent run() {
-    double width = 0;
-    for (double reach = 256; reach > 0.01 && !extent_.found(); reach /= 2) {
-      net(reach, 97);
-      width = reach / 32;
-    }
-    if (!extent_.found()) return extent_;
-    for (int step = 0; step < 30; ++step, width /= 2) {
-      for (const int axis : {0, 1}) {
-        for (const int side : {-1, 1}) {
-          if (!push_out(axis, side, width)) return {};
-        }
-      }
-    }
-    return extent_;
-  }
-
- private:
-  void probe(double u, double v) {
-    if (!caster_.shade(u, -v)) return;
-    const double p[2] = {u, v};
-    for (int i = 0; i < 2; ++i) {
-      if (p[i] < extent_.least[i]) {
-        extent_.least[i] = p[i];
-        extent_.least_at[i] = p[1 - i];
-      }
-      if (p[i] > extent_.most[i]) {
-        extent_.most[i] = p[i];
-        extent_.most_at[i] = p[1 - i];
-      }
+// Does a net of rays about the middle, from wide to narrow, meet a face?
+bool shows_something(const TrueScene& scene) {
+  const RayCaster<double> caster(scene, Fit{}, 0, 0, 2);  // a page of no size at one dot a unit
+  constexpr int count = 97;
+  for (int bits = 8; bits > -7; --bits) {
+    const double reach = std::ldexp(1.0, bits);
+    for (int i = 0; i < count * count; ++i) {
+      const auto place = [&](int line) { return reach * (2 * (line + 0.5) / count - 1); };
+      if (caster.shade(place(i % count), place(i / count))) return true;
     }
   }
-
-  void net(double reach, int count) {
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) {
-        probe(reach * (2 * (i + 0.5) / count - 1), reach * (2 * (j + 0.5) / count - 1));
-      }
-    }
-  }
-
-  // Strips of that width beyond one edge of the extent, as long as the edge moves. False: it seems to have no end.
-  bool push_out(int axis, int side, double width) {
-    const double& edge = side < 0 ? extent_.least[axis] : extent_.most[axis];
-    const double& tip = side < 0 ? extent_.least_at[axis] : extent_.most_at[axis];
-    for (int strip = 0; strip < 64; ++strip) {
-      const double before = edge, middle = tip;
-      const double from = extent_.least[1 - axis] - width;
-      const double size = extent_.most[1 - axis] + width - from;
-      for (int i = 1; i <= 4; ++i) {
-        const double out = before + side * width * i / 4;
-        for (int j = 0; j <= 64; ++j) probe_at(axis, out, from + size * j / 64);
-        for (int j = -48; j <= 48; ++j) probe_at(axis, out, middle + width * j / 16);
-      }
-      if (edge == before) return true;
-    }
-    return false;
-  }
-
-  void probe_at(int axis, double out, double along) { axis == 0 ? probe(out, along) : probe(along, out); }
-
-  RayCaster<double> caster_;
-  Extent extent_;
-};
-
-// --- The check.
+  return false;
+}
 
 bool level_fits(const std::optional<double>& truth, int level) {
   if (!truth || level < 0) return !truth && level < 0;
@@ -109,24 +43,27 @@ bool found_nearby(const RayCaster<Real>& caster, double x, double y, int level, 
 
 }  // namespace
 
-std::optional<Fit> fit_to_page(const TrueScene& scene, int width, int height) {
+std::optional<Fit> fit_to_page(const TrueScene& scene, const IntegerScene& integers) {
   const std::optional<Real>& half_width = scene.view.half_width;
   const std::optional<Real>& half_height = scene.view.half_height;
+  const Real width = integers.width, height = integers.height;
   Fit fit;
   if (half_width && half_height) {
-    fit.scale = std::min(Real(width) / (Real(2) * *half_width), Real(height) / (Real(2) * *half_height));
+    fit.scale = std::min(width / (Real(2) * *half_width), height / (Real(2) * *half_height));
     return fit;
   }
-  const Extent extent = ExtentSearch(scene).run();
-  if (!extent.found()) return std::nullopt;
-  if (!half_width) fit.u = (extent.least[0] + extent.most[0]) / 2;
-  if (!half_height) fit.v = (extent.least[1] + extent.most[1]) / 2;
+  if (!integers.extent) return std::nullopt;
+  const auto& [low, high] = *integers.extent;
+  if (!half_width) fit.u = (Real(low[0]) + Real(high[0])) / Real(2);
+  if (!half_height) fit.v = -(Real(low[1]) + Real(high[1])) / Real(2);
   if (half_width) {
-    fit.scale = Real(width) / (Real(2) * *half_width);
+    fit.scale = width / (Real(2) * *half_width);
   } else if (half_height) {
-    fit.scale = Real(height) / (Real(2) * *half_height);
+    fit.scale = height / (Real(2) * *half_height);
   } else {
-    fit.scale = std::min(width / (extent.most[0] - extent.least[0]), height / (extent.most[1] - extent.least[1]));
+    const Real across = Real(high[0]) - Real(low[0]), down = Real(high[1]) - Real(low[1]);
+    const bool by_width = across * height > down * width;
+    if (by_width || !(down == Real(0))) fit.scale = by_width ? width / across : height / down;
   }
   return fit;
 }
@@ -135,13 +72,12 @@ PromiseReport check_promise(const Scene& scene, const IntegerScene& integers, co
                             const PromiseOptions& options) {
   const TrueScene truth = true_scene(scene, options.view);
   PromiseReport report;
-  report.fitted = !truth.view.half_width || !truth.view.half_height;
-  const std::optional<Fit> fit = fit_to_page(truth, integers.width, integers.height);
+  const std::optional<Fit> fit = fit_to_page(truth, integers);
+  report.wrong_extent = fit ? integers.extent && !is_extent_of_solids(truth, *integers.extent) : shows_something(truth);
   if (!fit) return report;
   const RayCaster<double> quick(truth, *fit, integers.width, integers.height, integers.levels);
   const RayCaster<Real> sure(truth, *fit, integers.width, integers.height, integers.levels);
-  const double bound =
-      std::clamp(integers.bound, least_bound, most_bound) + options.slack + (report.fitted ? fit_slack : 0);
+  const double bound = std::clamp(integers.bound, least_bound, most_bound) + options.slack;
 
   for (int y = 0; y < integers.height; y += options.stride) {
     for (int x = 0; x < integers.width; x += options.stride) {

@@ -32,24 +32,21 @@ struct BrokenDot {
 };
 
 struct PromiseReport {
-  std::uint64_t dots = 0;      // 0: no window, and no extent found that could be fitted
+  std::uint64_t dots = 0;      // 0: no window, and no solid to fit one to
   std::uint64_t searched = 0;  // the centre alone did not settle
   std::vector<BrokenDot> broken;
-  bool fitted = false;  // a half-size was missing: the fit is the oracle's own estimate, `fit_slack` was allowed
+  bool wrong_extent = false;  // a half-size was missing, and what it was fitted to is not the solids' extent
 };
 
 inline constexpr double least_bound = 1.0 / 256;  // dots
 inline constexpr double most_bound = 1.0 / 16;
 
-// Dots. The oracle samples the extent of a scene without a window, and may miss what is thinner than its net.
-inline constexpr double fit_slack = 0.25;
-
 // `levels`: the whole page as draw() gives it. Throws MeaninglessScene where the text has no picture.
 PromiseReport check_promise(const Scene& scene, const IntegerScene& integers, const std::vector<std::int16_t>& levels,
                             const PromiseOptions& options = {});
 
-// Dots for a unit and the middle of the page, from the window or, where it is not given, from sampled extents.
-// Nothing if no face, or no end of the picture, was found.
-std::optional<Fit> fit_to_page(const TrueScene& scene, int width, int height);
+// Dots for a unit and the middle of the page, from the window or, where it is not given, from the extent that the integers
+// name. Nothing if they name none.
+std::optional<Fit> fit_to_page(const TrueScene& scene, const IntegerScene& integers);
 
 }  // namespace halfspace::oracle

@@ -47,6 +47,9 @@ class RayCaster {
  public:
   RayCaster(const TrueScene& scene, const Fit& fit, int width, int height, int levels);
 
+  // Each body's half-spaces in this frame.
+  [[nodiscard]] const std::vector<std::vector<CastSurface<T>>>& bodies() const { return bodies_; }
+
   // Of the nearest face; nothing for background.
   [[nodiscard]] std::optional<T> shade(const T& x, const T& y) const;
 

@@ -53,6 +53,7 @@ TEST_P(Gallery, IsExactOnTheVarian) {
   EXPECT_EQ(testing::draw_levels(flat.scene, Shader::stride, 1).levels, drawn.levels);
   const oracle::PromiseReport promise = oracle::check_promise(parsed.scene, flat.scene, drawn.levels);
   EXPECT_GT(promise.dots, 0U);
+  EXPECT_FALSE(promise.wrong_extent);
   EXPECT_TRUE(promise.broken.empty());
 }
 

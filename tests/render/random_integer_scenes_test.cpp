@@ -92,5 +92,20 @@ TEST(KeptIntegerScenes, StayRight) {
   }
 }
 
+// The top level is reached in the pole alone, in the centre of a dot, and on a sphere of 512 dots or more its interval is as narrow
+// as its own error.
+TEST(KeptIntegerScenes, TheTopLevelOfALargeSphereIsOneDot) {
+  for (const char* depth : {"511", "512", "607", "1024", "4095"}) {
+    const auto scene = oracle::parse_description(
+        "page 14 14 65 0 0 13 13\nlight 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -1  1 9 10\nbody 6 6 0 0 0 13 13\n"
+        "quadric 1 1 1 0 0 0 0 0 " +
+        std::string(depth) + " -36\n");
+    ASSERT_TRUE(scene);
+    const testing::Drawn drawn = testing::draw_levels(*scene, Shader::contour);
+    EXPECT_EQ(testing::first_difference(*scene, drawn.levels), "") << depth;
+    EXPECT_EQ(std::count(drawn.levels.begin(), drawn.levels.end(), 64), 1) << depth;
+  }
+}
+
 }  // namespace
 }  // namespace halfspace

@@ -10,6 +10,7 @@
 #include "tests/oracle/describe.hpp"
 #include "tests/oracle/exact_oracle.hpp"
 #include "tests/oracle/random_scenes.hpp"
+#include "tests/oracle/solid_extent.hpp"
 
 namespace halfspace::oracle {
 namespace {
@@ -158,14 +159,34 @@ TEST(PromiseOracle, ReportsAnotherText) {
   EXPECT_EQ(broken_dots(replaced("<0 1 0 -4>", "<0 1 0 -3.998>"), turned), 0U);  // within the bound
 }
 
-// Without a window the ball fills the page's height: the same picture, the scale found by the oracle.
+// Without a window the ball fills the page's height.
 TEST(PromiseOracle, FitsAPictureWithoutAWindow) {
   const std::string text = "quadric s <1 1 1 0 0 0 -3 -4 0 21>; body b (s); view v dop 0 0 -1;";
-  const auto fit = fit_to_page(true_scene(scene_of(text)), 80, 40);
+  IntegerScene integers;
+  integers.width = 80;
+  integers.height = 40;
+  integers.extent = {{1, -6, -2}, {5, -2, 2}};
+  const auto fit = fit_to_page(true_scene(scene_of(text)), integers);
   ASSERT_TRUE(fit);
-  EXPECT_NEAR(fit->scale.to_double(), 10, 1e-3);
-  EXPECT_NEAR(fit->u.to_double(), 3, 1e-3);
-  EXPECT_NEAR(fit->v.to_double(), 4, 1e-3);
+  EXPECT_EQ(fit->scale.to_double(), 10);
+  EXPECT_EQ(fit->u.to_double(), 3);
+  EXPECT_EQ(fit->v.to_double(), 4);
+}
+
+// Balls of radius 1 that touch in (2, 3, 0): the solid is that point. A third one aside, and a tip.
+TEST(SolidExtent, IsHeldAgainstPointsAndSolids) {
+  const std::string point =
+      "quadric l <1 1 1 0 0 0 -1 -3 0 9>; quadric r <1 1 1 0 0 0 -3 -3 0 17>; body b (l r);"
+      "view v dop 0 0 -1;";
+  const std::string ball = "quadric s <1 1 1 0 0 0 1 0 0 0>; body c (s);";
+  const auto holds = [](const std::string& text, const PictureExtent& extent) {
+    return is_extent_of_solids(true_scene(scene_of(text)), extent);
+  };
+  EXPECT_TRUE(holds(point, {{2, -3, 0}, {2, -3, 0}}));
+  EXPECT_TRUE(holds(ball + point, {{-2, -3, -1}, {2, 1, 1}}));
+  EXPECT_FALSE(holds(ball + point, {{-1, -3, -1}, {2, 1, 1}}));      // the ball goes beyond
+  EXPECT_FALSE(holds(ball + point, {{-2, -3, -1}, {2.001, 1, 1}}));  // too large
+  EXPECT_FALSE(holds(ball + point, {{-2, -3, -1}, {2, 0.999, 1}}));  // too small
 }
 
 // Of two planes closer than the bound either may be in front; of two further apart only the nearer one.
@@ -201,8 +222,10 @@ TEST(RandomScenes, TextsParseAndMeanSomething) {
     const TrueScene truth = true_scene(scene);
     perspective += truth.view.perspective;
     quadrics += text.find("quadric") != std::string::npos;
-    const auto fit = fit_to_page(truth, 64, 64);
     fitted += !truth.view.half_width;
+    IntegerScene page;
+    page.width = page.height = 64;
+    const auto fit = fit_to_page(truth, page);
     if (!fit) continue;
     const RayCaster<double> caster(truth, *fit, 64, 64, 65);
     int dots = 0;
