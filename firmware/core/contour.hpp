@@ -48,8 +48,8 @@ struct FaceContours {
 // Told from dot (x, y) of the face.
 [[nodiscard]] std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y);
 
-// Words of a face's block: straight contours' entries, or general ones' tracks, two a boundary of which a level has two.
-constexpr std::size_t contour_block_words(std::int32_t levels) { return 4 * static_cast<std::size_t>(levels) + 16; }
+// Words of a face's block: straight contours' entries, or general ones' tracks; a level has two of either.
+constexpr std::size_t contour_block_words(std::int32_t levels) { return 2 * static_cast<std::size_t>(levels) + 16; }
 
 // Makes sphere_contour's registers.
 [[nodiscard]] bool make_sphere(const ShadeJob& job, SphereContours& out);

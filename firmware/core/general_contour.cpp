@@ -238,16 +238,14 @@ auto SpanTracer<Painter>::follow(Reached from, std::int32_t end, bool rising, co
   const std::int32_t middle = line_.middle();
   const std::int32_t first = middle + a.t;
   const std::int32_t last = middle + b.t;
-  const std::int32_t v = tracks_.line();
+  const PathLine line = tracks_.line();
   std::int32_t beyond = 0;
   std::int32_t k = from.k;
   Painter painter = painter_;
-  BoundaryTracks::Slot slot = tracks_.slot_of(k, rising);
-  for (; k != end; k += sign, slot += sign * BoundaryTracks::slot_words) {
-    if (!tracks_.has_path(slot, k, rising)) break;
-    const std::uint32_t place = slot[0];
-    const std::int32_t x = BoundaryTracks::x_of(place, slot[1], v);
-    const std::int32_t error = BoundaryTracks::error_of(place);
+  const std::uint32_t* path = tracks_.slot_of(k, rising);
+  for (; k != end && BoundaryTracks::is_path(*path); k += sign, path += sign) {
+    const std::int32_t x = line.x_of(*path);
+    const std::int32_t error = BoundaryTracks::error_of(*path);
     const std::int32_t before = (x - error) >> 16;
     const std::int32_t there = (x + error) >> 16;
     if (before < first || there >= last) break;
@@ -280,7 +278,7 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
   };
   std::int32_t followed = -1;
   while (k != end && a.t < b.t) {
-    if (k != followed && tracks_.any() && tracks_.may_have_path(k, rising)) {
+    if (k != followed && tracks_.any() && BoundaryTracks::is_path(*tracks_.slot_of(k, rising))) {
       const Reached reached = follow({k, a.t}, end, rising, a, b);
       followed = reached.k;
       if (reached.k == end) return;
@@ -306,6 +304,10 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
       if (k - before == sign) chord_ = 2;
     } else if (is_crowded(lead_c, bar, width)) {
       chord_ = 1;
+      continue;
+    } else if (c.s / 2 > a.s) {  // from a limb, where s^2 is about linear: as far as it is not twice as large
+      const std::int32_t ratio = std::min<std::int32_t>(c.s / std::max<std::int32_t>(a.s, 1), 64);
+      chord_ = std::max<std::int32_t>(width / (ratio * ratio), 1);
       continue;
     } else {
       LevelChord chord(line_, a, c);

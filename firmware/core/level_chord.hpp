@@ -67,11 +67,11 @@ class LevelChord {
   // Where F is 0 on its way up, given its values at the ends: below 0 at the left one and above it at the right one, but for their errors.
   //   The smaller root of the quadratic is u = 2 u0 / (1 - kappa + q), q^2 = (1 - kappa)^2 + 4 kappa u0, and F's slope there q times
   //   that of its chord. Where F is off by P, with e = P / |F_a - F_b| q <= 1/32 the root is off by less than 5/4 e: so far from it
-  //   the quadratic is worth 5/4 P (1 - 5/4 |kappa| e / q) at least, and |kappa| <= 1/2 <= q.
+  //   the quadratic is worth 5/4 P (1 - 5/4 |kappa| e / q) at least, and |kappa| <= 1, q >= 1/2.
   [[nodiscard, gnu::always_inline]] LevelPlace place(std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
     const auto from = static_cast<std::uint32_t>(std::max<std::int32_t>(-at_a, 0));
     const std::uint32_t all = from + static_cast<std::uint32_t>(std::max<std::int32_t>(at_b, 0));
-    const std::uint32_t most = (all >> 1) - (all >> 6);
+    const std::uint32_t most = all - (all >> 5);
     const std::int32_t b = -bow(bar);
     if (all < least_ || static_cast<std::uint32_t>(b) + most > 2 * most) return {0, LevelPlace::unknown};
     const int shift = 16 - std::countl_zero(all);
@@ -79,7 +79,8 @@ class LevelChord {
     const std::uint32_t u0 = (from >> shift) * static_cast<std::uint32_t>(inverse) >> 15;
     const std::int32_t kappa = (b >> shift) * inverse >> 16;
     const auto rest = static_cast<std::uint32_t>((1 << 15) - kappa);
-    const std::uint32_t square = rest * rest + static_cast<std::uint32_t>(kappa) * u0 * 2;  // 2^28 at least
+    const std::uint32_t square = rest * rest + static_cast<std::uint32_t>(kappa) * u0 * 2;
+    if (square < 1U << 28) return {0, LevelPlace::unknown};
     const std::uint32_t guess = first_roots[square >> 24];
     const std::uint32_t q = (guess + square / guess) >> 1;
     const auto u = static_cast<std::int32_t>((u0 << 15) / ((rest + q) >> 1));
@@ -93,8 +94,8 @@ class LevelChord {
     return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar));
   }
 
-  // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 3 of kappa, 8 of q and its sum, 1 of the quotient, 14 of e's.
-  static constexpr std::int32_t rounding = 38;
+  // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 4 of kappa, 8 of q and its sum, 1 of the quotient, 14 of e's.
+  static constexpr std::int32_t rounding = 39;
 
   std::int32_t width_;                        // h
   std::int32_t bow_ = 0;                      // m E / 2

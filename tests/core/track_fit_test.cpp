@@ -1,11 +1,11 @@
 // A boundary's path over a strip of scan lines, against the boundary's place on each of them by bisection.
-#include "firmware/core/track_fit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <random>
+
+#include "firmware/core/boundary_tracks.hpp"
 
 namespace halfspace {
 namespace {
@@ -114,6 +114,45 @@ TEST(TrackFit, PathsAreWithinTheirErrors) {
   EXPECT_GT(sought, 400);
   EXPECT_GT(found, sought * 2 / 3) << sought;
   EXPECT_LT(sum / found, 65536 / 8);  // an eighth of a dot
+}
+
+// Kept in words and followed over two strips, at every level that rises or falls on the first line.
+TEST(TrackFit, KeptPathsAreWithinTheirErrors) {
+  constexpr std::int32_t levels = 32;
+  std::mt19937 random(11);
+  int followed = 0;
+  double sum = 0;
+  for (int scene = 0; scene < 300; ++scene) {
+    const Solid solid(random);
+    GeneralContours face;
+    face.forms = solid.forms;
+    face.bars = {31U << 26, 1U << 26, 31, 8};
+    std::array<std::uint32_t, 2 * levels> block{};
+    for (std::int32_t y = -16; y < 16; ++y) {
+      BoundaryTracks tracks(face, block, y);
+      for (std::int32_t k = 1; k < levels; ++k) {
+        const double bar = k / 32.0;
+        for (const bool rising : {true, false}) {
+          const auto lead = [&](double t) { return (rising ? 1 : -1) * solid.lead(t, y, bar); };
+          if (y == -16) {
+            for (int t = -300; t < 300; ++t) {
+              if (lead(t) < 0 && lead(t + 1) > 0) tracks.begin(k, rising, t * 65536 + 32768);
+            }
+          }
+          const std::uint32_t path = *tracks.slot_of(k, rising);
+          if (!BoundaryTracks::is_path(path)) continue;
+          const double x = tracks.line().x_of(path) / 65536.0;
+          const double error = BoundaryTracks::error_of(path) / 65536.0;
+          EXPECT_LT(lead(x - error), 0) << "scene " << scene << " line " << y << " level " << k;
+          EXPECT_GT(lead(x + error), 0) << "scene " << scene << " line " << y << " level " << k;
+          ++followed;
+          sum += error;
+        }
+      }
+    }
+  }
+  EXPECT_GT(followed, 20000);
+  EXPECT_LT(sum / followed, 1 / 8.0);  // dots
 }
 
 }  // namespace
