@@ -1,6 +1,7 @@
 #include "firmware/core/arc.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <type_traits>
 
 #include "firmware/core/registers.hpp"
@@ -17,16 +18,18 @@ Int read_coefficient(JobReader& in) {
   }
 }
 
+// Of the dots or lines low .. high from the origin.
+constexpr std::uint32_t farthest(std::int32_t low, std::int32_t high, std::int32_t origin) {
+  return static_cast<std::uint32_t>(std::max({origin - low, low - origin, origin - high, high - origin}));
+}
+
 // Values of 64 bits must not overflow whatever a job claims: the magnitudes of the form on all that the arc may visit, as in
 // host/job/limits. Wider ones wrap.
 template <class Int>
 bool holds(const std::array<Int, 6>& q, const ArcStart& start) {
   if constexpr (std::is_same_v<Int, std::int64_t>) {
-    const auto farthest = [](std::int32_t low, std::int32_t high, std::int32_t origin) {
-      return std::max({origin - low, low - origin, origin - high, high - origin});
-    };
-    const std::int32_t x = farthest(start.x_min - 1, start.x_max + 2, start.origin_x);
-    const std::int32_t y = farthest(start.y, start.y_last + 1, start.origin_y);
+    const auto x = static_cast<std::int32_t>(farthest(start.x_min - 1, start.x_max + 2, start.origin_x));
+    const auto y = static_cast<std::int32_t>(farthest(start.y, start.y_last + 1, start.origin_y));
     const auto size = [&q](int i) { return Wide<128>(q[i]).magnitude(); };
     const Wide<128> value =
         (size(0).times(x) + size(1).times(y) + size(3)).times(x) + (size(2).times(y) + size(4)).times(y) + size(5);
@@ -75,49 +78,119 @@ struct LineArc {
     form.r = r;
     return true;
   }
+  void step_y() { form.step_y(); }
 };
 
-template <class Int>
 struct ConicArc {
-  SecondOrder<Int> form;
+  SecondOrder<std::int64_t> form;
   Cursor at;
   ArcBranch branch;
 
   void load(JobReader& in, const ArcStart& start) {
     branch = static_cast<ArcBranch>(in.number_in(0, 2));
-    std::array<Int, 6> q;
-    for (Int& c : q) c = read_coefficient<Int>(in);
+    std::array<std::int64_t, 6> q;
+    for (std::int64_t& c : q) c = read_coefficient<std::int64_t>(in);
     if (!holds(q, start)) return in.fail();
-    form =
-        SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, start.y - start.origin_y);
+    form = SecondOrder<std::int64_t>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x,
+                                           start.y - start.origin_y);
   }
   // Of 2 A x + B y + D, the mean of the differences to the next dot and from the last, x and x - xx, where A > 0: as a rule both have its sign.
-  [[nodiscard]] bool is_falling(const Int& x) const {
-    if (is_negative(x)) return true;
-    return x < form.xx && is_negative(x + x - form.xx);
-  }
-  [[nodiscard]] bool is_rising() const {
-    if (is_negative(form.x)) return false;
-    return form.x >= form.xx || is_positive(form.x + form.x - form.xx);
-  }
+  [[nodiscard]] bool is_falling(std::int64_t x) const { return x < 0 || (x < form.xx && x + x < form.xx); }
+  [[nodiscard]] bool is_rising() const { return form.x >= form.xx || (form.x >= 0 && form.x + form.x > form.xx); }
   // Of a dot with the value r and the difference x to the next.
-  [[nodiscard]] bool at_or_right(const Int& r, const Int& x) const {
-    if (branch == ArcBranch::left) return !is_positive(r) || !is_falling(x);
-    return !is_negative(r) && (branch == ArcBranch::single || !is_falling(x));
+  [[nodiscard]] bool at_or_right(std::int64_t r, std::int64_t x) const {
+    if (branch == ArcBranch::left) return r <= 0 || !is_falling(x);
+    return r >= 0 && (branch == ArcBranch::single || !is_falling(x));
   }
   [[nodiscard]] bool at_or_right() const { return at_or_right(form.r, form.x); }
   [[nodiscard]] bool right() const {
-    if (branch == ArcBranch::left) return is_negative(form.r) || is_rising();
-    return is_positive(form.r) && (branch == ArcBranch::single || is_rising());
+    if (branch == ArcBranch::left) return form.r < 0 || is_rising();
+    return form.r > 0 && (branch == ArcBranch::single || is_rising());
   }
   bool back() {
-    const Int x = form.x - form.xx;
-    const Int r = form.r - x;
+    const std::int64_t x = form.x - form.xx;
+    const std::int64_t r = form.r - x;
     if (!at_or_right(r, x)) return false;
     form.x = x;
     form.r = r;
     form.y -= form.xy;
     return true;
+  }
+  void step_y() { form.step_y(); }
+};
+
+// One of 128 or 256 bits: its signs come from registers of the form's leading 64 bits, and where these cannot tell from the form itself.
+// The registers are a form whose six coefficients were rounded down where the walk began. So dx dots and dy lines from there its value
+// is off by less than 1 + dx + dy + (dx + dy)^2 / 2 + (dx + dy) / 2 < 2^32 and its slope by 2 (1 + dx + dy) + 1 < 2^18, as both are below
+// 2^15, of the value's 2^58 units at most.
+template <class Int>
+struct WideConicArc {
+  std::array<Int, 6> q;
+  SecondOrder<Wide<64>> form;
+  std::int32_t origin_x, y;  // y: the line in the arc's frame
+  Cursor at;
+  ArcBranch branch;
+
+  void load(JobReader& in, const ArcStart& start) {
+    branch = static_cast<ArcBranch>(in.number_in(0, 2));
+    for (Int& c : q) c = read_coefficient<Int>(in);
+    origin_x = start.origin_x;
+    y = start.y - start.origin_y;
+    const auto exact = SecondOrder<Int>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x, y);
+    const int shift = value_bits(start) - largest_bits;
+    const auto leading = [shift](const Int& c) { return Wide<64>(scaled(c, shift)); };
+    form = {leading(exact.r),  leading(exact.x),  leading(exact.y),
+            leading(exact.xx), leading(exact.xy), leading(exact.yy)};
+  }
+  [[nodiscard]] bool at_or_right() const { return at_or_right(at.x); }
+  [[nodiscard]] bool right() const {
+    if (branch == ArcBranch::left) return value_sign(at.x) < 0 || slope_sign(at.x) > 0;
+    return value_sign(at.x) > 0 && (branch == ArcBranch::single || slope_sign(at.x) > 0);
+  }
+  bool back() {
+    form.back_x();
+    if (at_or_right(at.x - 1)) return true;
+    form.step_x();
+    return false;
+  }
+  void step_y() {
+    form.step_y();
+    ++y;
+  }
+
+ private:
+  static constexpr int largest_bits = 58;
+  static constexpr std::int64_t value_error = std::int64_t{1} << 32;
+  static constexpr std::int64_t slope_error = 1 << 18;
+
+  // Bits of a bound of the form on all that the arc may visit: of six terms.
+  [[nodiscard]] int value_bits(const ArcStart& start) const {
+    const int x = static_cast<int>(std::bit_width(farthest(start.x_min - 1, start.x_max + 2, start.origin_x)));
+    const int down = static_cast<int>(std::bit_width(farthest(start.y, start.y_last + 1, start.origin_y)));
+    return 3 + std::max({q[0].bit_length() + 2 * x, q[1].bit_length() + x + down, q[2].bit_length() + 2 * down,
+                         q[3].bit_length() + x, q[4].bit_length() + down, q[5].bit_length()});
+  }
+  // Of page dot x, where the registers stand.
+  [[nodiscard]] bool at_or_right(std::int32_t x) const {
+    if (branch == ArcBranch::left) return value_sign(x) <= 0 || slope_sign(x) >= 0;
+    return value_sign(x) >= 0 && (branch == ArcBranch::single || slope_sign(x) >= 0);
+  }
+  [[nodiscard]] int value_sign(std::int32_t x) const {
+    const std::int64_t v = form.r.low64();
+    if (v >= value_error) return 1;
+    return v <= -value_error ? -1 : exact_value_sign(x - origin_x);
+  }
+  // Of 2 A x + B y + D.
+  [[nodiscard]] int slope_sign(std::int32_t x) const {
+    const std::int64_t v = (form.x + form.x - form.xx).low64();
+    if (v >= slope_error) return 1;
+    return v <= -slope_error ? -1 : exact_slope_sign(x - origin_x);
+  }
+  [[nodiscard, gnu::noinline]] int exact_value_sign(std::int32_t x) const {
+    return ((q[0].times(x) + q[1].times(y) + q[3]).times(x) + (q[2].times(y) + q[4]).times(y) + q[5]).sign();
+  }
+  [[nodiscard, gnu::noinline]] int exact_slope_sign(std::int32_t x) const {
+    return (q[0].times(2 * x) + q[1].times(y) + q[3]).sign();
   }
 };
 
@@ -155,7 +228,7 @@ constexpr ArcModule module_of{
     .next =
         [](void* state) {
           Arc& arc = *static_cast<Arc*>(state);
-          arc.form.step_y();
+          arc.step_y();
           return settle(arc);
         },
     .enter_window = nullptr,
@@ -182,8 +255,8 @@ constexpr ArcModule module_that_rests = [] {
 const ArcModule line_arc_64 = module_that_rests<LineArc<std::int64_t>>;
 const ArcModule line_arc_128 = module_of<LineArc<Wide<128>>>;
 const ArcModule line_arc_256 = module_of<LineArc<Wide<256>>>;
-const ArcModule conic_arc_64 = module_that_rests<ConicArc<std::int64_t>>;
-const ArcModule conic_arc_128 = module_of<ConicArc<Wide<128>>>;
-const ArcModule conic_arc_256 = module_of<ConicArc<Wide<256>>>;
+const ArcModule conic_arc_64 = module_that_rests<ConicArc>;
+const ArcModule conic_arc_128 = module_of<WideConicArc<Wide<128>>>;
+const ArcModule conic_arc_256 = module_of<WideConicArc<Wide<256>>>;
 
 }  // namespace halfspace

@@ -37,23 +37,26 @@ struct Ways {
   Way dot_by_dot, general, sphere, straight;
   std::int32_t general_start, sphere_start;  // once a face
   std::int32_t survey, survey_level;         // and of straight contours, so much a level besides
+  std::int32_t skip;                         // of an entry of straight contours that does not show
 };
 constexpr Ways cortex_m3{{5200, 0, 285, 0, 200, 23},
                          {2750, 0, 10, 0, 250, 13},
-                         {650, 0, 0, 0, 77, 77},
+                         {650, 0, 0, 0, 110, 110},
                          {400, 0, 0, 0, 44, 44},
                          12000,
                          15500,
                          30000,
-                         1850};
+                         1850,
+                         12};
 constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
                       {450, 0, 3, 90, 45, 2},
-                      {140, 0, 0, 0, 13, 13},
+                      {140, 0, 0, 0, 18, 18},
                       {80, 0, 0, 0, 5, 5},
                       1000,
                       1500,
                       4600,
-                      350};
+                      350,
+                      2};
 constexpr const Ways& ways = limb_bits == 32 ? cortex_m3 : x86_64;
 
 // Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
@@ -72,8 +75,9 @@ struct Costs {
     const std::int32_t r = levels_met(job, n);
     dot_by_dot = shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
     general = ways.general.cost(n, r);
-    sphere = ways.sphere.cost(n, r);
-    straight = ways.straight.cost(n, r);
+    const std::int32_t edges = job.painter.edges_of(r);  // the only levels that these two look for
+    sphere = ways.sphere.cost(n, edges);
+    straight = ways.straight.cost(n, edges) + ways.skip * r;
   }
 };
 

@@ -64,6 +64,7 @@ struct Pools {
   std::span<std::int32_t> columns;  // of the curtain
   std::span<std::uint32_t> squares;
   std::span<PatternRow> patterns;
+  std::span<std::uint32_t> edges;
   std::span<std::uint32_t> row;
   std::span<std::uint8_t> band;
   std::span<std::int32_t> scratch;   // of contours: a word a level
@@ -87,6 +88,7 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   p.columns = arena.take<std::int32_t>(Curtain::columns_of(h.page.width));
   p.squares = arena.take<std::uint32_t>(size(h.page.levels));
   p.patterns = arena.take<PatternRow>(bilevel ? size(h.page.levels) * cell_side : 0);
+  p.edges = arena.take<std::uint32_t>(bilevel ? edge_words(h.page.levels) * cell_side : 0);
   p.row = arena.take<std::uint32_t>(row_words(h.page));
   p.band = arena.take<std::uint8_t>(h.page.row_bytes() * size(band_rows));
   return p;
@@ -123,11 +125,10 @@ class Engine {
         curtain_(pools.columns),
         arcs_(pools.active_arcs),
         cells_(pools.active_cells),
-        painter_(header.page, pools.row, pools.patterns),
+        painter_(header.page, pools.row, pools.patterns, pools.edges),
         levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
 
   void run() {
-    if (h_.page.format == DotFormat::bilevel) make_patterns(h_.screen, h_.page.levels, p_.patterns);
     next_record();
     for (std::int32_t y = 0; y < h_.page.height && result_.status == DrawStatus::ok; ++y) {
       result_.line = y;
@@ -534,6 +535,10 @@ DrawResult draw(JobReader& in, const JobHeader& header, BandSink& sink, std::spa
   Arena arena(memory);
   Pools pools = carve(arena, header, result.band_rows);
   carve_contours(arena, header, pools);
+  if (header.page.format == DotFormat::bilevel) {
+    make_patterns(header.screen, header.page.levels, pools.patterns);
+    find_edges(header.page.levels, pools.patterns, pools.edges);
+  }
   Engine(header, pools, in, sink, options, modules, *exact, result.band_rows, result).run();
   return result;
 }

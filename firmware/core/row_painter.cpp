@@ -1,9 +1,21 @@
 #include "firmware/core/row_painter.hpp"
 
+#include <bit>
+
 namespace halfspace {
 
+RowPainter::RowPainter(const Page& page, std::span<std::uint32_t> words, std::span<const PatternRow> patterns,
+                       std::span<const std::uint32_t> edges)
+    : page_(page), words_(words), patterns_(patterns), edges_(edges) {
+  if (edges_.empty()) return;
+  std::int32_t count = -2 * cell_side;  // bits 0 and `levels` of every line
+  for (const std::uint32_t word : edges_) count += std::popcount(word);
+  edge_share_ = (count << share_bits) / (cell_side * (page_.levels - 1));
+}
+
 void RowPainter::begin(std::int32_t y) {
-  line_ = page_.format == DotFormat::bilevel ? patterns_.data() + y % cell_side * page_.levels : tones.data();
+  line_ = is_bilevel() ? patterns_.data() + y % cell_side * page_.levels : tones.data();
+  if (!edges_.empty()) line_edges_ = edges_.data() + static_cast<std::size_t>(y % cell_side) * edge_words(page_.levels);
   fill(0, page_.width - 1, page_.background);
 }
 

@@ -21,9 +21,9 @@ constexpr std::size_t row_words(const Page& page) {
 
 class RowPainter {
  public:
-  // `patterns` of make_patterns(); a gray page needs none.
-  RowPainter(const Page& page, std::span<std::uint32_t> words, std::span<const PatternRow> patterns)
-      : page_(page), words_(words), patterns_(patterns) {}
+  // `patterns` of make_patterns(), `edges` of find_edges(); a gray page needs neither. Without edges all levels count as different.
+  RowPainter(const Page& page, std::span<std::uint32_t> words, std::span<const PatternRow> patterns,
+             std::span<const std::uint32_t> edges = {});
 
   // Starts scan line y with background.
   void begin(std::int32_t y);
@@ -33,6 +33,11 @@ class RowPainter {
   void copy_to(std::span<std::uint8_t> bytes) const;
 
   [[nodiscard]] bool is_bilevel() const { return page_.format == DotFormat::bilevel; }
+  // Of the current line: what a level looks like, and where that changes.
+  [[nodiscard]] const PatternRow* looks() const { return line_; }  // by level
+  [[nodiscard]] LevelEdges edges() const { return LevelEdges(line_edges_); }
+  // About as many of so many neighbouring levels look other than the level below.
+  [[nodiscard]] std::int32_t edges_of(std::int32_t levels) const { return levels * edge_share_ >> share_bits; }
 
  private:
   template <class DotBits>
@@ -40,7 +45,11 @@ class RowPainter {
   const Page& page_;
   std::span<std::uint32_t> words_;
   std::span<const PatternRow> patterns_;
+  std::span<const std::uint32_t> edges_;
   const PatternRow* line_ = nullptr;  // by level, of the current line
+  const std::uint32_t* line_edges_ = all_edges.data();
+  static constexpr int share_bits = 8;
+  std::int32_t edge_share_ = 1 << share_bits;  // of levels in the mean of all lines
 };
 
 // A span's runs of one level from left to right, cheaper than fills: the word under way stays in a register, so that a change of level

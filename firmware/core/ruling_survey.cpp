@@ -304,12 +304,14 @@ class Survey {
     });
     return sure;
   }
-  // Over what is not proven.
+  // Over what is not proven: any level may be met there, as an entry says that tells the level before once more.
   [[nodiscard]] bool step_over(std::uint32_t end) {
     if (keeps_level(end - at_)) return settle_level(end);
     const std::int32_t place = arc_.place(at_);
+    std::int32_t level = level_;
     if (!settle_level(end) || !holds(place, arc_.place(at_))) return false;
-    add_place(place);
+    add_place(place, level);
+    while (level != level_) add_place(place, level += level < level_ ? 1 : -1);
     return true;
   }
   // The level is sure to be the same all the way.
@@ -350,7 +352,7 @@ class Survey {
       crossed_ = {at_, crossed_[0], crossed_[1]};
       ++crossings_;
       level_ += rise;
-      add_place(place);
+      add_place(place, level_);
     }
     at_ = end;
     light_ = light_at_end;
@@ -390,12 +392,12 @@ class Survey {
     return crossed_[2] + 3 * (std::int64_t{crossed_[0]} - crossed_[1]);
   }
 
-  void add(std::uint32_t tau) { add_place(arc_.place(tau)); }
-  // What lies right of there has level_. Places may be a unit too high, and a limb's is 0; none is less than the one before.
-  void add_place(std::int32_t place) {
+  void add(std::uint32_t tau) { add_place(arc_.place(tau), level_); }
+  // What lies right of there has the level. Places may be a unit too high, and a limb's is 0; none is less than the one before.
+  void add_place(std::int32_t place, std::int32_t level) {
     last_place_ = std::clamp(place - 1, last_place_, largest_place);
     if (count_ < block_.size()) {
-      block_[count_] = static_cast<std::uint32_t>(last_place_) << entry_level_bits | static_cast<std::uint32_t>(level_);
+      block_[count_] = static_cast<std::uint32_t>(last_place_) << entry_level_bits | static_cast<std::uint32_t>(level);
     }
     ++count_;
   }

@@ -134,18 +134,24 @@ class SphereSpan {
     // A dot inside level k's interval shows k + shift, one outside shows `step` less.
     const std::int32_t step = is_dark() ? -1 : 1;
     const std::int32_t shift = is_dark() ? -1 : 0;
-    const std::int32_t beyond = is_dark() ? job_.table.ambient_level : job_.table.top_level + 1;
+    const std::int32_t last = is_dark() ? job_.table.ambient_level + 1 : job_.table.top_level;
     const std::int32_t rise = (kb - ka) * step;
-    std::int32_t k = ka + 1 + shift;
+    const std::int32_t inside = ka + 1 + shift;
+    const std::int32_t risen = inside + std::max<std::int32_t>(rise, 0) * step;
+    const std::int32_t fallen = inside + std::min<std::int32_t>(rise, 0) * step;
+    Sweep beginning(*this, inside, risen - step, step);
+    Sweep nested(*this, risen, last, step);
+    Sweep ending(*this, inside - step, fallen, -step);
     Intervals found;
     found.beginning = job_.scratch.data();
-    found.nested = find<true, false>(k, std::max<std::int32_t>(rise, 0), found.beginning);
-    k += static_cast<std::int32_t>(found.nested - found.beginning) * step;
-    found.ending = find<true, true>(k, std::max<std::int32_t>((beyond - k) * step, 0), found.nested);
-    found.end = find<false, true>(ka + 1 + shift - step, std::max<std::int32_t>(-rise, 0), found.ending);
-    job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, step) : paint<RunPainter>(found, ka, step);
-    job_.counters.level_spans +=
-        static_cast<std::uint32_t>(1 + found.end - found.beginning + found.ending - found.nested);
+    found.nested = find<true, false>(beginning, found.beginning);
+    found.ending = find<true, true>(nested, found.nested);
+    found.end = find<false, true>(ending, found.ending);
+    job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, shift, step) : paint<RunPainter>(found, ka, shift, step);
+    // As far as the first level that has no interval, or beyond by some that look alike.
+    const std::int32_t peaks =
+        std::max<std::int32_t>(std::min(nested.k * step, (last + step) * step) - risen * step, 0);
+    job_.counters.level_spans += static_cast<std::uint32_t>(1 + std::abs(rise) + 2 * peaks);
   }
 
  private:
@@ -159,12 +165,34 @@ class SphereSpan {
     std::int32_t centre, half, error;  // places; error < 0: the line misses the interval
   };
 
+  // Boundaries that show, between levels k - 1 and k, from k on as far as `last`.
+  struct Sweep {
+    std::int32_t k, last, step;
+
+    Sweep(const SphereSpan& span, std::int32_t first, std::int32_t last_one, std::int32_t direction)
+        : k(span.edge(first, direction)), last(last_one), step(direction) {}
+    [[nodiscard]] bool done() const { return (last - k) * step < 0; }
+  };
+  // The first at k or beyond it.
+  [[nodiscard]] std::int32_t edge(std::int32_t k, std::int32_t step) const {
+    return step > 0 ? job_.painter.edges().from(k) : job_.painter.edges().to(k);
+  }
+
   template <class Run>
-  void paint(const Intervals& found, std::int32_t level, std::int32_t step) {
+  void paint(const Intervals& found, std::int32_t level, std::int32_t shift, std::int32_t step) {
     Run run(job_.painter, x0_, level);
-    for (const Interval* at = found.beginning; at != found.ending; ++at) run.change(*at & 0x7fff, level += step);
-    for (const Interval* at = found.ending; at != found.nested;) run.change(*--at >> 16, level -= step);
-    for (const Interval* at = found.ending; at != found.end; ++at) run.change(*at >> 16, level -= step);
+    std::int32_t k = edge(level + 1 + shift, step);
+    for (const Interval* at = found.beginning; at != found.ending; ++at, k = edge(k + step, step)) {
+      run.change(*at & 0x7fff, k + shift);
+    }
+    for (const Interval* at = found.ending; at != found.nested;) {
+      k = edge(k - step, -step);
+      run.change(*--at >> 16, k + shift - step);
+    }
+    if (found.ending != found.end) k = edge(level + 1 + shift - step, -step);
+    for (const Interval* at = found.ending; at != found.end; ++at, k = edge(k - step, -step)) {
+      run.change(*at >> 16, k + shift - step);
+    }
     run.end(x1_);
   }
 
@@ -192,54 +220,39 @@ class SphereSpan {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(a) * b >> 32);
   }
 
-  // The intervals of levels from k on that begin, end, or both, in the span; those that must do both as long as they do.
+  // The intervals of a sweep's levels that begin, end, or both, in the span; those that must do both as long as they do.
   template <bool begins, bool ends>
-  [[nodiscard]] Interval* find(std::int32_t k, std::int32_t count, Interval* out) const {
-    const std::int32_t step = begins == is_dark() ? -1 : 1;
-    while (count > 0) {
-      const std::int32_t found = find_plain<begins, ends>(k, count, out);
-      out += found;
-      count -= found;
-      if (count == 0) break;
-      k += found * step;
-      const Crossing at = crossing(k);
+  [[nodiscard]] Interval* find(Sweep& sweep, Interval* out) const {
+    while (!sweep.done()) {
+      out = find_plain<begins, ends>(sweep, out);
+      if (sweep.done()) break;
+      const Crossing at = crossing(sweep.k);
       if (at.error < 0 && begins && ends) return out;
-      std::int32_t left = begins ? left_of(at, k) : x0_;
-      std::int32_t right = ends ? right_of(at, left, k) : x1_;
+      std::int32_t left = begins ? left_of(at, sweep.k) : x0_;
+      std::int32_t right = ends ? right_of(at, left, sweep.k) : x1_;
       if (begins && ends && (left <= x0_ || right <= left || right > x1_)) return out;
       *out++ = std::min(right, x1_) << 16 | std::clamp(left, x0_, x1_);
-      --count;
-      k += step;
+      sweep.k = edge(sweep.k + sweep.step, sweep.step);
     }
     return out;
   }
 
   // The same as far as ends are certain: the loops that most of a sphere's time goes to, without a call.
   template <bool begins, bool ends>
-  [[nodiscard, gnu::noinline]] std::int32_t find_plain(std::int32_t k, std::int32_t count, Interval* out) const {
-    // Unsigned: where a step is more than all the light there is no second level, and the step may wrap.
-    const auto unit = static_cast<std::uint64_t>(job_.lighting.unit);
-    const auto slope = static_cast<std::uint64_t>(begins == is_dark() ? -c_.bar_slope : c_.bar_slope);
-    Bars bars{static_cast<std::uint64_t>(bar_of(k)), slope * unit, count};
-    Interval* const begin = out;
-    out = find_wider<begins, ends>(wide, c_.sure, quick_large_root, bars, out);
-    out = find_wider<begins, ends>(narrow, c_.sure_if_narrow, quick_root, bars, out);
-    return static_cast<std::int32_t>(out - begin);
+  [[nodiscard, gnu::noinline]] Interval* find_plain(Sweep& sweep, Interval* out) const {
+    out = find_wider<begins, ends>(wide, c_.sure, quick_large_root, sweep, out);
+    return find_wider<begins, ends>(narrow, c_.sure_if_narrow, quick_root, sweep, out);
   }
-  struct Bars {
-    std::uint64_t next, step;
-    std::int32_t count;
-  };
   // The same as far as w^2 is at least `least`, and so an end within `error`.
   template <bool begins, bool ends>
-  [[gnu::always_inline]] Interval* find_wider(std::int64_t least, std::int32_t error, const auto& root, Bars& bars,
+  [[gnu::always_inline]] Interval* find_wider(std::int64_t least, std::int32_t error, const auto& root, Sweep& sweep,
                                               Interval* out) const {
     const std::int32_t unsure = 2 * error;
     const std::int32_t base = base_ + error + one_dot - 1;
     const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
     const std::int64_t reach = reach_;
-    for (; bars.count > 0; --bars.count, bars.next += bars.step) {
-      const std::int32_t c = static_cast<std::int32_t>(bars.next >> 32) - lift;
+    for (; !sweep.done(); sweep.k = edge(sweep.k + sweep.step, sweep.step)) {
+      const std::int32_t c = static_cast<std::int32_t>(bar_of(sweep.k) >> 32) - lift;
       const std::int64_t w2 = reach - static_cast<std::int64_t>(c) * c;
       if (w2 < least) break;
       const std::int32_t half = upper(beta, root(static_cast<std::uint64_t>(w2)));

@@ -1,5 +1,6 @@
 #include "firmware/core/stipple.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace halfspace {
@@ -69,6 +70,19 @@ void make_patterns(Screen screen, std::int32_t levels, std::span<PatternRow> row
       for (const std::uint8_t rank : ranks) row = row << 1 | (rank < inked ? 1U : 0U);
       rows[static_cast<std::size_t>(y * levels + k)] = static_cast<PatternRow>(row);
     }
+  }
+}
+
+void find_edges(std::int32_t levels, std::span<const PatternRow> rows, std::span<std::uint32_t> edges) {
+  std::fill(edges.begin(), edges.end(), 0U);
+  const PatternRow* row = rows.data();
+  std::uint32_t* words = edges.data();
+  for (std::int32_t y = 0; y < cell_side; ++y) {
+    for (std::int32_t k = 0; k <= levels; ++k) {
+      if (k == 0 || k == levels || row[k] != row[k - 1]) words[k / 32] |= 1U << k % 32;
+    }
+    row += levels;
+    words += edge_words(levels);
   }
 }
 

@@ -4,10 +4,11 @@
 // electrostatic);
 //          bayer: ordered dispersion [Bayer 73]; blue_noise: void and cluster [Ulichney 93], for displays and
 //          ink-jet.
-// Memory   32 bytes a level for the patterns of a page; the rank tables are constants.
+// Memory   34 bytes a level for the patterns of a page and their edges; the rank tables are constants.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -29,7 +30,43 @@ using PatternRow = std::uint16_t;
 // rows[y % 16 * levels + k]: the pattern of level k on scan line y. `rows` must hold levels * 16 entries.
 void make_patterns(Screen screen, std::int32_t levels, std::span<PatternRow> rows);
 
-// The same of a page whose dots have levels themselves, of 8 bits.
+// Where a line's pattern changes as levels rise: bit k % 32 of word k / 32 is set where level k looks other than level k - 1. So are bits 0
+// and `levels`, where a search ends. On a line of the clustered screen at 65 levels that is one level in eight: between the others there
+// is no boundary to find.
+class LevelEdges {
+ public:
+  explicit LevelEdges(const std::uint32_t* words) : words_(words) {}
+
+  // The first at or above level k, 0 <= k <= levels; the last at or below.
+  [[nodiscard]] std::int32_t from(std::int32_t k) const {
+    std::int32_t i = k / 32;
+    std::uint32_t bits = words_[i] >> k % 32 << k % 32;
+    while (bits == 0) bits = words_[++i];
+    return 32 * i + std::countr_zero(bits);
+  }
+  [[nodiscard]] std::int32_t to(std::int32_t k) const {
+    std::int32_t i = k / 32;
+    std::uint32_t bits = words_[i] & 0xffffffffU >> (31 - k % 32);
+    while (bits == 0) bits = words_[--i];
+    return 32 * i + 31 - std::countl_zero(bits);
+  }
+
+ private:
+  const std::uint32_t* words_;
+};
+
+// Words of a line's edges; edges[y % 16 * edge_words(levels)]: those of scan line y.
+constexpr std::size_t edge_words(std::int32_t levels) { return static_cast<std::size_t>(levels) / 32 + 1; }
+void find_edges(std::int32_t levels, std::span<const PatternRow> rows, std::span<std::uint32_t> edges);
+
+// Of a page on which every level looks other than the next.
+inline constexpr std::array<std::uint32_t, edge_words(256)> all_edges = [] {
+  std::array<std::uint32_t, edge_words(256)> words{};
+  words.fill(0xffffffffU);
+  return words;
+}();
+
+// The patterns of a page whose dots have levels themselves, of 8 bits.
 inline constexpr std::array<PatternRow, 256> tones = [] {
   std::array<PatternRow, 256> table{};
   for (unsigned k = 0; k < 256; ++k) table[k] = static_cast<PatternRow>(0x101 * k);

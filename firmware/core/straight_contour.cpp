@@ -65,32 +65,61 @@ class StraightSpan {
   void paint_by() {
     const std::int32_t from = first_from(x0_ << place_bits);
     const std::int32_t end = first_from((x1_ << place_bits) + blur_ + 1);
-    Run run(job_.painter, x0_, level_of(entries_[from > 0 ? from - 1 : 0]));
-    for (std::int32_t i = paint_certain(run, from, end); i < end; i = paint_certain(run, i + 1, end)) {
-      // Entry i may change the level on either side of a dot, which may have been asked for another entry's sake.
-      const std::int32_t x = place_of(entries_[i]) >> place_bits;
-      if (x != asked_) run.change(x, ask(x, level_of(entries_[i])));
-      if (x < x1_) run.change(x + 1, level_of(entries_[i]));
+    const std::int32_t level = level_of(entries_[from > 0 ? from - 1 : 0]);
+    Run run(job_.painter, x0_, level);
+    if (job_.painter.is_bilevel()) {
+      paint_edges(run, level, entries_ + from, entries_ + end);
+    } else {
+      paint(run, entries_ + from, entries_ + end);
     }
     run.end(x1_);
     job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
   }
 
-  // Entries from i on, as far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or the end.
+  // Leaves out entries to a level that looks like the last one: these matter nowhere, as beside its interval, and in it, the level is one of
+  // both. Without a branch, which would often be mispredicted.
   template <class Run>
-  [[nodiscard]] std::int32_t paint_certain(Run& painter, std::int32_t i, std::int32_t end) const {
+  void paint_edges(Run& run, std::int32_t before, const std::uint32_t* at, const std::uint32_t* end) {
+    const PatternRow* const looks = job_.painter.looks();
+    std::int32_t* const edges = job_.scratch.data();
+    const auto room = static_cast<std::ptrdiff_t>(job_.scratch.size());
+    while (at != end) {
+      std::int32_t* to = edges;
+      for (const std::uint32_t* const stop = at + std::min(end - at, room); at != stop; ++at) {
+        const std::int32_t level = level_of(*at);
+        *to = static_cast<std::int32_t>(*at);
+        to += static_cast<int>(level == before) | static_cast<int>(looks[level] != looks[before]);
+        before = level;
+      }
+      paint(run, edges, to);
+    }
+  }
+
+  template <class Run, class Entry>
+  void paint(Run& run, const Entry* at, const Entry* end) {
+    for (at = paint_certain(run, at, end); at != end; at = paint_certain(run, at + 1, end)) {
+      // An entry may change the level on either side of a dot, which may have been asked for another entry's sake.
+      const auto entry = static_cast<std::uint32_t>(*at);
+      const std::int32_t x = place_of(entry) >> place_bits;
+      if (x != asked_) run.change(x, ask(x, level_of(entry)));
+      if (x < x1_) run.change(x + 1, level_of(entry));
+    }
+  }
+
+  // As far as no dot is unsure: the loop that most of the time goes to. Returns the entry to ask about, or the end.
+  template <class Run, class Entry>
+  [[nodiscard]] const Entry* paint_certain(Run& painter, const Entry* at, const Entry* end) const {
     Run run = painter;
     const std::int32_t base = base_ + one_dot, unsure = unsure_;
     const std::uint32_t width = width_;
-    const std::uint32_t* const last = entries_ + end;
-    const std::uint32_t* at = entries_ + i;
-    for (; at != last; ++at) {
-      const std::int32_t place = base + upper(*at, width);
+    for (; at != end; ++at) {
+      const auto entry = static_cast<std::uint32_t>(*at);
+      const std::int32_t place = base + upper(entry, width);
       if ((place & (one_dot - 1)) <= unsure) break;
-      run.change(place >> place_bits, level_of(*at));
+      run.change(place >> place_bits, level_of(entry));
     }
     painter = run;
-    return static_cast<std::int32_t>(at - entries_);
+    return at;
   }
 
   // The level of dot x, next to `guess` as a rule.

@@ -5,7 +5,8 @@
 // A is the face's limb, or a ruling as far left of the span as the next lines will need; so is B on the right. A face need not be
 // ruled exactly: how far it is from that is part of the error of p.
 // Entry    32 bits: p, rounded down (24), and the level right of it (8), in ascending order. The change lies within entry_width
-//          units of p. Where the level is sure to be the same on both sides but not between, as at a ridge, it is told twice.
+//          units of p. From entry to entry the level changes by one, and in the interval is one of both; or it is told twice:
+//          then it may be any in the second's interval, as at a ridge.
 // Units    lines 2^-34 dot; p 2^-24, so that on 1000 dots a dot is asked for its level once in some 1,500 changes.
 // Source   Ours; margins in docs/contours.md.
 #pragma once

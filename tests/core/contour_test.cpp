@@ -15,21 +15,27 @@ using namespace testing;
 
 class Contours {
  public:
-  Contours(const Lighting& lighting, std::int32_t levels, std::int32_t width, std::int32_t height)
+  Contours(const Lighting& lighting, std::int32_t levels, std::int32_t width, std::int32_t height,
+           DotFormat format = DotFormat::gray, Screen screen = Screen::clustered)
       : lighting_(lighting),
-        page_{width, height, DotFormat::gray, levels, 0},
+        page_{width, height, format, levels, 0},
         words_(row_words(page_)),
         squares_(static_cast<std::size_t>(levels)),
         scratch_(static_cast<std::size_t>(levels)),
         block_(contour_block_words(levels)),
         table_(make_levels(lighting, levels, squares_)) {
     contours.block = block_;
+    if (format == DotFormat::gray) return;
+    patterns_.resize(static_cast<std::size_t>(levels) * cell_side);
+    edges_.resize(edge_words(levels) * cell_side);
+    make_patterns(screen, levels, patterns_);
+    find_edges(levels, patterns_, edges_);
   }
 
-  // The run's levels; empty: declined.
+  // The run's levels, or a bilevel page's whole row; empty: declined.
   std::vector<std::uint8_t> shade(const TestFace& face, const ExactModule& exact, bool by_contours, std::int32_t y,
                                   DotRun run) {
-    RowPainter painter(page_, words_, {});
+    RowPainter painter(page_, words_, patterns_, edges_);
     painter.begin(y);
     const ShadeJob job{face.active, lighting_, table_, exact, painter, counters, 1, &contours, scratch_};
     if (by_contours) {
@@ -39,6 +45,7 @@ class Contours {
     }
     std::vector<std::uint8_t> levels(page_.row_bytes());
     painter.copy_to(levels);
+    if (page_.format == DotFormat::bilevel) return levels;
     return {levels.begin() + run.x0, levels.begin() + run.x1 + 1};
   }
 
@@ -68,6 +75,8 @@ class Contours {
   std::vector<std::uint32_t> words_, squares_;
   std::vector<std::int32_t> scratch_;
   std::vector<std::uint32_t> block_;
+  std::vector<PatternRow> patterns_;
+  std::vector<std::uint32_t> edges_;
   LevelTable table_;
 };
 
@@ -75,11 +84,15 @@ struct Tally {
   std::uint64_t dots = 0, declined = 0;
 };
 
+// Every other trial on a bilevel page, where only levels that look otherwise are sought, in every screen.
+DotFormat format_of(int trial) { return trial % 2 == 0 ? DotFormat::gray : DotFormat::bilevel; }
+Screen screen_of(int trial) { return static_cast<Screen>(trial / 2 % 3); }
+
 void expect_same_dots(const TestFace& face, const Lighting& lighting, std::int32_t levels, std::int32_t side,
-                      Dice& dice, int lines, Tally& tally) {
+                      Dice& dice, int lines, int trial, Tally& tally) {
   const ExactModule* exact = exact_for({&face}, lighting, levels, side);
   if (exact == nullptr) return;
-  Contours canvas(lighting, levels, side, side);
+  Contours canvas(lighting, levels, side, side, format_of(trial), screen_of(trial));
   for (int i = 0; i < lines; ++i) {
     const auto y = static_cast<std::int32_t>(between(dice, 0, side - 1));
     for (const DotRun& run : runs_of(face, y, side)) {
@@ -193,7 +206,7 @@ TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
     const std::int64_t radius = dice() % 4 == 0 ? between(dice, 100, 600) : between(dice, 4, 60);
     const auto side = static_cast<std::int32_t>(2 * radius + 4);
     const TestFace face = some_sphere(dice, radius, side, lighting);
-    expect_same_dots(face, lighting, some_levels(dice), side, dice, 4, tally);
+    expect_same_dots(face, lighting, some_levels(dice), side, dice, 4, trial, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
   EXPECT_GT(tally.dots, 500000U);
@@ -215,7 +228,7 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
     const std::int32_t levels = some_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, side);
     if (exact == nullptr) continue;
-    Contours canvas(lighting, levels, side, side);
+    Contours canvas(lighting, levels, side, side, format_of(trial), screen_of(trial));
     const auto left_cut = static_cast<std::int32_t>(between(dice, 1, 5));
     for (std::int32_t y = 0; y < side; ++y) {
       for (DotRun run : runs_of(face, y, side)) {
@@ -261,6 +274,27 @@ TEST(StraightContour, DeclinesFewLines) {
   std::array<mpz_class, 10> rounded = cone;
   for (mpz_class& k : rounded) k = (k << 40) + 3;
   EXPECT_LT(lines_not_straight(rounded, 600), 16);
+}
+
+// The highest level only on the ruling that faces the light, a column of dots, between two dots of the level below.
+TEST(StraightContour, ShowsALevelThatOnlyTouchesOnABilevelPage) {
+  Lighting lighting = plain_lighting();
+  lighting.light = {0, 0, -(1 << 15)};
+  constexpr std::int32_t side = 200;
+  for (std::int32_t column = 0; column < cell_side; ++column) {
+    const TestFace face = make_face(FaceKind::root, {1, 0, 1, 0, 0, 0, 0, 0, 0, -6400},
+                                    {side / 2 + column, side / 2, 0}, -1, 1, 0, lighting);
+    const ExactModule* exact = exact_for({&face}, lighting, 65, side);
+    ASSERT_NE(exact, nullptr);
+    Contours canvas(lighting, 65, side, side, DotFormat::bilevel);
+    for (std::int32_t y = 0; y < 3 * cell_side; ++y) {
+      for (const DotRun& run : runs_of(face, y, side)) {
+        ASSERT_EQ(canvas.shade(face, *exact, true, y, run), canvas.shade(face, *exact, false, y, run))
+            << "column " << column << " line " << y;
+      }
+    }
+    EXPECT_GT(canvas.contours.straight.entries, 0);
+  }
 }
 
 // D is a square on the line through an apex.

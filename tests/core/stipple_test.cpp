@@ -40,6 +40,29 @@ TEST(Stipple, EveryLevelOfEveryScreenHasItsDensity) {
   }
 }
 
+TEST(Stipple, EdgesAreWhereALineChanges) {
+  for (const Screen screen : screens) {
+    for (const std::int32_t levels : {2, 3, 17, 31, 32, 33, 65, 256}) {
+      const auto rows = patterns_of(screen, levels);
+      std::vector<std::uint32_t> words(edge_words(levels) * cell_side);
+      find_edges(levels, rows, words);
+      for (std::size_t y = 0; y < cell_side; ++y) {
+        const PatternRow* row = rows.data() + y * static_cast<std::size_t>(levels);
+        const LevelEdges edges(words.data() + y * edge_words(levels));
+        const auto is_edge = [&](std::int32_t k) { return k == 0 || k == levels || row[k] != row[k - 1]; };
+        for (std::int32_t k = 0; k <= levels; ++k) {
+          std::int32_t up = k;
+          while (!is_edge(up)) ++up;
+          ASSERT_EQ(edges.from(k), up) << "level " << k << " of " << levels << " line " << y;
+          std::int32_t down = k;
+          while (!is_edge(down)) --down;
+          ASSERT_EQ(edges.to(k), down) << "level " << k << " of " << levels << " line " << y;
+        }
+      }
+    }
+  }
+}
+
 TEST(Stipple, ADarkerPatternContainsEveryLighterOne) {
   for (const Screen screen : screens) {
     for (const std::int32_t levels : {2, 3, 17, 65, 256}) {

@@ -35,10 +35,13 @@ class Drawing {
 
   [[nodiscard]] const ResolvedScene& resolved() const { return resolved_; }
 
+  // Also of the bilevel page with the gray one.
   [[nodiscard]] Comparison compare(std::int32_t levels, Shader shader, const Lines& lines, const Levels& truth);
 
  private:
-  [[nodiscard]] Levels draw(std::int32_t background, Shader shader, const Lines& lines, Comparison& failure) const;
+  [[nodiscard]] Levels draw(DotFormat format, std::int32_t background, Shader shader, const Lines& lines,
+                            Comparison& failure) const;
+  [[nodiscard]] Levels halftone(const Levels& levels, const Lines& lines) const;
 
   IntegerScene scene_;
   ResolvedScene resolved_;
