@@ -9,7 +9,7 @@ namespace {
 
 ContourKind kind_of(const ShadeJob& job) {
   if (job.face.kind != FaceKind::root) {
-    return has_polynomial_normal(job.face, job.lighting) ? ContourKind::general : ContourKind::none;
+    return has_polynomial_normal(job.face, job.lighting) ? ContourKind::general : ContourKind::curved;
   }
   if (has_wide_coefficients(job.face)) return ContourKind::none;
   return has_constant_normal(job.face.surface) ? ContourKind::sphere : ContourKind::curved;

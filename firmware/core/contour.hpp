@@ -2,7 +2,7 @@
 // per dot. Each of the ways below shades dots x0 .. x1 of line y exactly as the face's shader dot by dot does, or declines:
 //   sphere_contour    faces with |N| constant: a level is an interval about a centre, by one root
 //   straight_contour  cylinders and cones: every contour a straight line through one point of the page
-//   general_contour   any face with z^2, or whose z is a polynomial: monotone pieces of the intensity, boundaries by certified signs
+//   general_contour   any face: monotone pieces of the intensity, boundaries by certified signs
 // Order   A way that returns false has painted nothing; the caller tries the next, then goes dot by dot.
 // Exact   Positions carry a proven error; a dot within it of a boundary is asked of reaches_level.
 // Memory  FaceContours a face; ShadeJob::scratch, a word a level, shared by all faces.

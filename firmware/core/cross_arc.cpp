@@ -87,18 +87,24 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   RealVector na;
   RealVector nb;
   RealVector nt;
-  RealVector towards;  // the light: of length 1
-  std::int64_t light_squared = 0;
-  for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
-  const Real length = Real(light_squared).root();
   for (std::size_t i = 0; i < 3; ++i) {
     const Real flat_a = line.normal[i] + line.normal_step[i] * a.x;
     const Real flat_b = line.normal[i] + line.normal_step[i] * b.x;
     na[i] = flat_a + line.normal_root[i] * a.s;
     nb[i] = flat_b + line.normal_root[i] * b.s;
     nt[i] = kappa * (b.s * flat_a + a.s * flat_b) + height * line.normal_root[i];
-    towards[i] = Real(lighting.light[i]) / length;
   }
+  const Real twice = kappa + kappa;
+  return make(na, nt, nb, {twice * a.s, twice * (a.s + b.s)}, lighting);
+}
+
+bool CrossArc::make(const RealVector& na, const RealVector& nt, const RealVector& nb, const std::array<Real, 2>& places,
+                    const Lighting& lighting) {
+  RealVector towards;  // the light: of length 1
+  std::int64_t light_squared = 0;
+  for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
+  const Real length = Real(light_squared).root();
+  for (std::size_t i = 0; i < 3; ++i) towards[i] = Real(lighting.light[i]) / length;
   const Real l0 = dot(towards, na);
   const Real l1 = dot(towards, nt);
   const Real l2 = dot(towards, nb);
@@ -121,12 +127,10 @@ bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, con
   const Real quarter = Real(1).half().half();
   const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
   std::array<std::int64_t, 2> weights{};
-  const Real twice = kappa + kappa;
-  const std::array<Real, 2> both{twice * a.s, twice * (a.s + b.s)};
   // A place's divisor is at least weight_ sigma tau, and 1/2.
-  const int steepness = bits_of(both);
+  const int steepness = bits_of(places);
   if (steepness > most_weight_bits) return false;
-  if (put(weights, both, weight_bits) > std::int64_t{4} << std::max(0, steepness)) return false;
+  if (put(weights, places, weight_bits) > std::int64_t{4} << std::max(0, steepness)) return false;
   weight_a_ = weights[0];
   weight_ = weights[1];
   // Products are rounded by less than 1 a power, t^2 and the squares by 8 in all; |L| < 1 and t^2 <= 1.

@@ -6,6 +6,7 @@
 //     L = l0 sigma^2 + 2 l1 sigma tau + l2 tau^2                  |N|^2: of fourth degree, n0 .. n4 in Bernstein form
 //   and the intensity L / |N| rises where the quartic w = dL/dtau n - L dn/dtau / 2 (its fifth power cancels) is positive.
 //   All lines have the same arc, since N keeps its direction along a ruling: tau tells the ruling.
+//   A face without z^2 has such forms in x itself: N is of second degree there (quotient_forms.hpp), and T the polar form at xA and xB.
 // Units   forms 2^-60, scaled below 1; tau 2^-32; a ruling's place on the way from A to B 2^-24.
 // Errors  The line's numbers may be known to within errors only; the arc's forms hold for all that they allow, to within unsure() and
 //         what rise() and turns() keep to themselves. A place is off by less than 1/4.
@@ -45,6 +46,9 @@ class CrossArc {
  public:
   // False where the forms cannot be told well enough.
   [[nodiscard]] bool make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting);
+  // From N at A, at T and at B, and 2 kappa sA, 2 kappa (sA + sB): 1 and 2 where tau itself goes evenly from A to B.
+  [[nodiscard]] bool make(const RealVector& na, const RealVector& nt, const RealVector& nb,
+                          const std::array<Real, 2>& places, const Lighting& lighting);
 
   [[nodiscard]] ArcLight at(std::uint32_t tau) const;
   [[nodiscard]] std::int32_t place(std::uint32_t tau) const;

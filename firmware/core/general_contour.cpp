@@ -1,4 +1,4 @@
-// Any face with z^2: a scan line is cut into pieces on which the intensity is proven monotone (ridge_form.hpp), and each piece into
+// Any face: a scan line is cut into pieces on which the intensity is proven monotone (ridge_form.hpp), and each piece into
 // chords (level_chord.hpp), whose ends tell where between them the boundaries between levels lie, to a small part of a dot.
 //   Tracks   Once a boundary is found, its path over a strip of lines is sought (boundary_tracks.hpp), and most lines take it from there.
 //   Proof    A place comes with a proven error; a dot within it is asked.
@@ -10,7 +10,10 @@
 #include "firmware/core/contour.hpp"
 #include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
+#include "firmware/core/quotient_ridge.hpp"
+#include "firmware/core/quotient_section.hpp"
 #include "firmware/core/ridge_form.hpp"
+#include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
 namespace {
@@ -20,50 +23,80 @@ constexpr std::int32_t first_chord = 24;  // dots
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 
-// A dot where a piece may begin or end.
-struct Stop {
-  RidgeDot ridge;
-  LevelDot dot;
+// The parts that a span of a face with a root is traced by; and one whose z is a quotient.
+struct RootParts {
+  using Forms = SectionForms;
+  using Line = LineForms;
+  using Section = LineSection;
+  using Ridge = RidgeForm;
+  using RidgeDot = halfspace::RidgeDot;
+  using Dot = LevelDot;
+  using Chord = LevelChord;
+
+  static const Forms& forms(const GeneralContours& face) { return face.forms; }
+  static Ridge ridge(const Forms& forms, const Line& line) { return {forms, line}; }
+  // Whether s falls from a to b by more than 1 / 2^bits of it.
+  static bool falls(const Dot& a, const Dot& b, int bits) { return a.s - (a.s >> bits) > b.s; }
+};
+struct QuotientParts {
+  using Forms = QuotientForms;
+  using Line = QuotientLine;
+  using Section = QuotientSection;
+  using Ridge = QuotientRidge;
+  using RidgeDot = QuotientRidge::Dot;
+  using Dot = QuotientDot;
+  using Chord = QuotientChord;
+
+  static const Forms& forms(const GeneralContours& face) { return face.quotient; }
+  static Ridge ridge(const Forms& /*forms*/, const Line& line) { return Ridge(line); }
+  static bool falls(const Dot& /*a*/, const Dot& /*b*/, int /*bits*/) { return false; }  // it has no limb
 };
 
 // Tracks pay on blocks of so many lines; and a face with straight contours has other use for its block.
 constexpr std::int32_t fewest_lines = 32;
 std::span<std::uint32_t> tracked_block(const FaceContours& face) {
-  const bool pays = face.general.forms.y1 - face.general.forms.y0 >= fewest_lines;
-  return pays && face.kind == ContourKind::general ? face.block : std::span<std::uint32_t>{};
+  if (face.kind != ContourKind::general || face.general.is_quotient) return {};
+  return face.general.forms.y1 - face.general.forms.y0 >= fewest_lines ? face.block : std::span<std::uint32_t>{};
 }
 
-template <class Painter>  // of a row
+template <class Parts, class Painter>  // of a row
 class SpanTracer {
  public:
-  SpanTracer(const ShadeJob& job, const LineForms& line, std::int32_t y, std::int32_t x0)
+  SpanTracer(const ShadeJob& job, const typename Parts::Line& line, std::int32_t y, std::int32_t x0)
       : job_(job),
         y_(y),
         bars_(job.contours->general.bars),
-        line_(job.contours->general.forms, line),
-        ridge_(job.contours->general.forms, line),
+        line_(Parts::forms(job.contours->general), line),
+        ridge_(Parts::ridge(Parts::forms(job.contours->general), line)),
         tracks_(job.contours->general, tracked_block(*job.contours), y),
         painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
 
  private:
-  [[nodiscard]] LevelDot level_dot(std::int32_t t) const { return {line_, t, bars_.error}; }
+  using Dot = typename Parts::Dot;
+  using Chord = typename Parts::Chord;
+  using RidgeDot = typename Parts::RidgeDot;
+  // A dot where a piece may begin or end.
+  struct Stop {
+    RidgeDot ridge;
+    Dot dot;
+  };
+
+  [[nodiscard]] Dot level_dot(std::int32_t t) const { return {line_, t, bars_.error}; }
   // Whether a dot reaches level k; `above` is that of its bar.
-  [[nodiscard]] bool reaches(const LevelDot& dot, std::int32_t k, std::int32_t above) const {
+  [[nodiscard]] bool reaches(const Dot& dot, std::int32_t k, std::int32_t above) const {
     if (above > dot.error) return true;
     return above >= -dot.error && settle(dot.t, k);
   }
-  [[nodiscard]] bool reaches(const LevelDot& dot, std::int32_t k) const {
-    return reaches(dot, k, dot.above(bars_.at(k)));
-  }
+  [[nodiscard]] bool reaches(const Dot& dot, std::int32_t k) const { return reaches(dot, k, dot.above(bars_.at(k))); }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
     const std::int32_t x = line_.middle() + t;
     const Answer answer = line_.forms().reaches(x, y_, job_.table.squares[static_cast<std::size_t>(k)]);
     return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
   }
   // By a guess from a level's bar: they go up evenly.
-  [[nodiscard]] std::int32_t level_of(const LevelDot& dot) const {
+  [[nodiscard]] std::int32_t level_of(const Dot& dot) const {
     const std::int32_t gap = std::max<std::int32_t>(high_product(static_cast<std::int32_t>(bars_.step), dot.n), 1);
     const std::int32_t near = job_.table.top_level + dot.above(bars_.top) / gap - 1;
     return search_level(job_.table, std::clamp(near, job_.table.ambient_level, job_.table.top_level),
@@ -76,23 +109,23 @@ class SpanTracer {
     bool level;  // all of it
   };
   [[nodiscard]] Piece next_piece(const Stop& a, Stop& b) const;
-  [[nodiscard]] bool keeps_level(const LevelDot& a, const LevelDot& b) const;
-  void dot_by_dot(const LevelDot& from, const LevelDot& to);
-  void step_over(const LevelDot& from, const LevelDot& to);
-  void dot(const LevelDot& dot);
+  [[nodiscard]] bool keeps_level(const Dot& a, const Dot& b) const;
+  void dot_by_dot(const Dot& from, const Dot& to);
+  void step_over(const Dot& from, const Dot& to);
+  void dot(const Dot& dot);
   struct RidgeStop {
     std::int32_t t;
     RidgeDot ridge;
   };
   RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
   void ridge_between(const Stop& a, const Stop& b);
-  [[nodiscard]] std::int32_t chord_width(const LevelDot& a, const LevelDot& b) const;
+  [[nodiscard]] std::int32_t chord_width(const Dot& a, const Dot& b) const;
   struct Reached {
     std::int32_t k;  // the next boundary's level
     std::int32_t t;  // a dot that it does not lie left of
   };
-  [[gnu::noinline]] Reached follow(Reached from, std::int32_t end, bool rising, const LevelDot& a, const LevelDot& b);
-  void monotone(LevelDot a, const LevelDot& b, bool rising);
+  [[gnu::noinline]] Reached follow(Reached from, std::int32_t end, bool rising, const Dot& a, const Dot& b);
+  void monotone(Dot a, const Dot& b, bool rising);
   [[nodiscard]] std::int32_t boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                       const LevelPlace& place) const;
   [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
@@ -106,8 +139,8 @@ class SpanTracer {
   const ShadeJob& job_;
   std::int32_t y_;
   const LevelBars& bars_;
-  LineSection line_;
-  RidgeForm ridge_;
+  typename Parts::Section line_;
+  typename Parts::Ridge ridge_;
   BoundaryTracks tracks_;
   Painter painter_;
   std::int32_t level_ = 0;            // so far
@@ -115,9 +148,9 @@ class SpanTracer {
 };
 
 // Both, and all dots between them, have the level so far.
-template <class Painter>
-bool SpanTracer<Painter>::keeps_level(const LevelDot& a, const LevelDot& b) const {
-  const LevelChord chord(line_, a, b);
+template <class Parts, class Painter>
+bool SpanTracer<Parts, Painter>::keeps_level(const Dot& a, const Dot& b) const {
+  const Chord chord(line_, a, b);
   const auto keeps = [&](int sign, std::int32_t k) {
     const std::uint32_t bar = bars_.at(k);
     return chord.keeps_sign(sign, bar, a.above(bar), b.above(bar));
@@ -127,8 +160,8 @@ bool SpanTracer<Painter>::keeps_level(const LevelDot& a, const LevelDot& b) cons
 }
 
 // A dot for itself.
-template <class Painter>
-void SpanTracer<Painter>::dot(const LevelDot& dot) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::dot(const Dot& dot) {
   const std::int32_t next = level_of(dot);
   if (next != level_) turn(dot.t, next);
   level_ = next;
@@ -136,21 +169,21 @@ void SpanTracer<Painter>::dot(const LevelDot& dot) {
 }
 
 // Each dot after `from` up to `to` for itself.
-template <class Painter>
-void SpanTracer<Painter>::dot_by_dot(const LevelDot& from, const LevelDot& to) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::dot_by_dot(const Dot& from, const Dot& to) {
   for (std::int32_t t = from.t + 1; t < to.t; ++t) dot(level_dot(t));
   dot(to);
 }
 
 // On from `from` to `to`, where the course is not known.
-template <class Painter>
-void SpanTracer<Painter>::step_over(const LevelDot& from, const LevelDot& to) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::step_over(const Dot& from, const Dot& to) {
   if (to.t - from.t == 1 || !keeps_level(from, to)) dot_by_dot(from, to);
 }
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
-template <class Painter>
-auto SpanTracer<Painter>::last_alike(RidgeStop from, RidgeStop other) const -> RidgeStop {
+template <class Parts, class Painter>
+auto SpanTracer<Parts, Painter>::last_alike(RidgeStop from, RidgeStop other) const -> RidgeStop {
   const int sign = from.ridge.sign();
   bool from_moved = false;
   bool other_moved = false;
@@ -177,8 +210,8 @@ auto SpanTracer<Painter>::last_alike(RidgeStop from, RidgeStop other) const -> R
   }
 }
 
-template <class Painter>
-void SpanTracer<Painter>::ridge_between(const Stop& a, const Stop& b) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::ridge_between(const Stop& a, const Stop& b) {
   RidgeStop from{a.dot.t, a.ridge};
   RidgeStop to{b.dot.t, b.ridge};
   std::int32_t& ridge = job_.contours->general.ridge;
@@ -188,20 +221,20 @@ void SpanTracer<Painter>::ridge_between(const Stop& a, const Stop& b) {
   }
   const RidgeStop first = last_alike(from, to);
   ridge = line_.middle() + first.t;
-  const LevelDot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
+  const Dot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
   monotone(a.dot, left, a.ridge.sign() > 0);
   RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
   if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
-  const LevelDot right = last.t == b.dot.t ? b.dot : level_dot(last.t);
+  const Dot right = last.t == b.dot.t ? b.dot : level_dot(last.t);
   step_over(left, right);
   monotone(right, b.dot, b.ridge.sign() > 0);
 }
 
 // The first dot beyond level k right of dot t, where it is not yet reached, and at most `width` from there. An unknown place errs by more
 // than any width.
-template <class Painter>
-std::int32_t SpanTracer<Painter>::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
-                                           const LevelPlace& place) const {
+template <class Parts, class Painter>
+std::int32_t SpanTracer<Parts, Painter>::boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                                  const LevelPlace& place) const {
   const std::int32_t before = (place.at - place.error) >> 16;
   const std::int32_t last = (place.at + place.error) >> 16;
   const std::int32_t from = t + std::min(last + 1, width);
@@ -209,9 +242,9 @@ std::int32_t SpanTracer<Painter>::boundary(std::int32_t k, bool rising, std::int
 }
 
 // The first dot beyond level k between `before`, which is not, and `from`, which is.
-template <class Painter>
-std::int32_t SpanTracer<Painter>::asked_boundary(std::int32_t k, bool rising, std::int32_t before,
-                                                 std::int32_t from) const {
+template <class Parts, class Painter>
+std::int32_t SpanTracer<Parts, Painter>::asked_boundary(std::int32_t k, bool rising, std::int32_t before,
+                                                        std::int32_t from) const {
   while (from - before > 1) {
     const std::int32_t middle = before + (from - before) / 2;
     const Answer answer = line_.reaches(middle, job_.table.squares[static_cast<std::size_t>(k)]);
@@ -222,16 +255,16 @@ std::int32_t SpanTracer<Painter>::asked_boundary(std::int32_t k, bool rising, st
 }
 
 // Of the next chord from a. Where s halves before the end, that is a limb, and a chord into it would be cut (level_chord.cpp).
-template <class Painter>
-std::int32_t SpanTracer<Painter>::chord_width(const LevelDot& a, const LevelDot& b) const {
+template <class Parts, class Painter>
+std::int32_t SpanTracer<Parts, Painter>::chord_width(const Dot& a, const Dot& b) const {
   const std::int32_t rest = b.t - a.t;
-  if (rest > 1 && rest < 2 * chord_ && (a.s / 2 > b.s || b.s / 2 > a.s)) return rest / 2;
+  if (rest > 1 && rest < 2 * chord_ && (Parts::falls(a, b, 1) || Parts::falls(b, a, 1))) return rest / 2;
   return rest <= chord_ + chord_ / 2 ? rest : chord_;
 }
 
 // Boundaries from level k on that have paths, between dots a and b of a piece: no dot of theirs is computed but to ask.
-template <class Painter>
-auto SpanTracer<Painter>::follow(Reached from, std::int32_t end, bool rising, const LevelDot& a, const LevelDot& b)
+template <class Parts, class Painter>
+auto SpanTracer<Parts, Painter>::follow(Reached from, std::int32_t end, bool rising, const Dot& a, const Dot& b)
     -> Reached {
   const std::int32_t sign = rising ? 1 : -1;
   const std::int32_t below = rising ? 0 : 1;
@@ -258,8 +291,8 @@ auto SpanTracer<Painter>::follow(Reached from, std::int32_t end, bool rising, co
 }
 
 // From a to b, where levels only rise or fall. A lead is F where they rise, -F where they fall: it goes up.
-template <class Painter>
-void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
   const std::int32_t sign = rising ? 1 : -1;
   const std::int32_t below = rising ? 0 : 1;  // of a boundary's level, what is painted beyond it
   const std::int32_t last_level = level_of(b);
@@ -269,7 +302,7 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
   if ((end - k) * sign <= 0) return;
   job_.counters.level_spans += static_cast<std::uint32_t>((end - k) * sign);
   level_ = last_level;
-  const auto is_beyond = [&](const LevelDot& dot, std::int32_t lead) {
+  const auto is_beyond = [&](const Dot& dot, std::int32_t lead) {
     return k != end && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
   // As many levels as dots: dots one by one take less.
@@ -287,7 +320,7 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
     }
     const std::int32_t rest = b.t - a.t;
     const std::int32_t width = chord_width(a, b);
-    const LevelDot c = width == rest ? b : level_dot(a.t + width);
+    const Dot c = width == rest ? b : level_dot(a.t + width);
     const Lead lead_c = c.lead(sign);
     std::uint32_t bar = bars_.at(k);
     std::int32_t at_c = lead_c.of(bar);
@@ -310,7 +343,7 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
       chord_ = std::max<std::int32_t>(width / (ratio * ratio), 1);
       continue;
     } else {
-      LevelChord chord(line_, a, c);
+      Chord chord(line_, a, c);
       if (!rising) chord.mirror();
       const Lead lead_a = a.lead(sign);
       LevelPlace place = chord.place(bar, lead_a.of(bar), at_c);
@@ -318,7 +351,7 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
         chord_ = width / 2;
         continue;
       }
-      const bool nears_limb = c.s < a.s - a.s / 4;
+      const bool nears_limb = Parts::falls(a, c, 2);
       chord_ = nears_limb ? (width + 1) / 2 : place.error < fine ? 2 * width : width;
       const std::int32_t middle = line_.middle();
       for (;;) {
@@ -336,8 +369,8 @@ void SpanTracer<Painter>::monotone(LevelDot a, const LevelDot& b, bool rising) {
 }
 
 // What is known from a to b, b drawn nearer until that is something or they are near each other.
-template <class Painter>
-auto SpanTracer<Painter>::next_piece(const Stop& a, Stop& b) const -> Piece {
+template <class Parts, class Painter>
+auto SpanTracer<Parts, Painter>::next_piece(const Stop& a, Stop& b) const -> Piece {
   for (;;) {
     const Course course = ridge_.course(a.ridge, b.ridge);
     if (course != Course::unsure) return {course, false};
@@ -347,8 +380,8 @@ auto SpanTracer<Painter>::next_piece(const Stop& a, Stop& b) const -> Piece {
   }
 }
 
-template <class Painter>
-void SpanTracer<Painter>::run(std::int32_t x0, std::int32_t x1) {
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
   Stop a = stop_at(x0 - line_.middle());
   const Stop last = stop_at(x1 - line_.middle());
   level_ = level_of(a.dot);
@@ -377,19 +410,32 @@ bool is_dark(const ShadeJob& job, std::int32_t y) {
   return job.contours->general.forms.may_be_dark && face.surface.light.at(0, y - face.origin_y).is_zero();
 }
 
-void trace(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+template <class Parts>
+void trace_line(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  const typename Parts::Line line = Parts::forms(job.contours->general).on(y);
+  if (job.painter.is_bilevel()) return SpanTracer<Parts, BilevelRuns>(job, line, y, x0).run(x0, x1);
+  SpanTracer<Parts, RunPainter>(job, line, y, x0).run(x0, x1);
+}
+
+void trace_root(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   SectionForms& forms = job.contours->general.forms;
   if (!forms.holds(y, x0, x1)) {
     forms.cover(job, y, x0, x1);
     job.contours->general.strip.drop();
   }
-  if (!is_dark(job, y)) {
-    const LineForms line = forms.on(y);
-    if (job.painter.is_bilevel()) return SpanTracer<BilevelRuns>(job, line, y, x0).run(x0, x1);
-    return SpanTracer<RunPainter>(job, line, y, x0).run(x0, x1);
-  }
+  if (!is_dark(job, y)) return trace_line<RootParts>(job, y, x0, x1);
   job.painter.fill(x0, x1, job.table.ambient_level);
   ++job.counters.level_spans;
+}
+
+void trace_quotient(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  QuotientForms& forms = job.contours->general.quotient;
+  if (!forms.holds(y, x0, x1) && !forms.cover(job, y, x0, x1)) {
+    forms = {};
+    return shade_rational_span(job, Shader::isqrt, y, x0, x1);
+  }
+  forms.turn(quotient_sign(job.face, x0, y));
+  trace_line<QuotientParts>(job, y, x0, x1);
 }
 
 }  // namespace
@@ -412,11 +458,15 @@ LevelBars LevelBars::of(const LevelTable& table, const Lighting& lighting) {
 }
 
 bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  LevelBars& bars = job.contours->general.bars;
-  if (bars.error == 0) bars = LevelBars::of(job.table, job.lighting);
+  GeneralContours& face = job.contours->general;
+  if (face.bars.error == 0) {
+    face.bars = LevelBars::of(job.table, job.lighting);
+    face.is_quotient = job.face.kind == FaceKind::rational && !has_polynomial_normal(job.face, job.lighting);
+    if (face.is_quotient) face.quotient = QuotientForms{};
+  }
   while (x0 <= x1) {
     const std::int32_t end = std::min(x1, x0 + 2 * longest_half - 1);
-    trace(job, y, x0, end);
+    (face.is_quotient ? trace_quotient : trace_root)(job, y, x0, end);
     x0 = end + 1;
   }
   return true;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "firmware/core/quotient_forms.hpp"
 #include "firmware/core/section_forms.hpp"
 #include "firmware/core/track_strip.hpp"
 
@@ -21,7 +22,11 @@ struct LevelBars {
 };
 
 struct GeneralContours {
-  SectionForms forms;
+  union {
+    SectionForms forms{};
+    QuotientForms quotient;
+  };
+  bool is_quotient = false;  // z: then the latter
   LevelBars bars;
   TrackStrip strip;
   std::int32_t ridge = 0;  // of the last line, on the page: where the next one's is sought

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "firmware/core/chord_divisor.hpp"
+
 namespace halfspace {
 namespace {
 
 constexpr std::int32_t largest = std::int32_t{1} << 30;  // |L| is at most |N|
-constexpr std::uint32_t shortest = 1U << 22;             // of s_a + s_b and n_a + n_b
 
-// All unsigned, so that a job that lies about its widths wraps and nothing worse.
-std::uint32_t size(std::int32_t v) { return v < 0 ? 0 - static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(v); }
+// Unsigned, so that a job that lies about its widths wraps and nothing worse.
 std::int32_t difference(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
@@ -17,39 +17,6 @@ std::uint64_t product(std::int32_t a, std::int32_t b) { return static_cast<std::
 std::uint64_t second_difference(std::int64_t v2, std::int32_t h) {
   return static_cast<std::uint64_t>(v2) * static_cast<std::uint64_t>(std::int64_t{h} * h);
 }
-
-// v <= sum / times, and sum >= shortest.
-bool dwarfs(std::uint32_t sum, std::uint32_t v, std::uint32_t times) { return sum >= shortest && v <= sum / times; }
-
-// Division by a sum of two sizes, shortest <= sum < 2^31.
-class Divisor {
- public:
-  explicit Divisor(std::uint32_t sum)
-      : sum_(sum), zeros_(std::countl_zero(sum)), inverse_(static_cast<std::int32_t>(~0U / (sum << zeros_ >> 16))) {}
-
-  // Whether |v| is at most 1/32 of the sum's square, so that the quotient fits.
-  [[nodiscard]] bool divides(std::int64_t v) const {
-    const auto upper = static_cast<std::int32_t>(v >> 32);
-    return size(upper) < high_product(sum_, sum_) >> 5;
-  }
-  // v / sum, to 2^-14 of itself and 3: by the upper half of v 2^zeros, which fits.
-  [[nodiscard]] std::int32_t quotient(std::int64_t v) const {
-    const auto bits = static_cast<std::uint64_t>(v);
-    const auto upper = static_cast<std::int32_t>(static_cast<std::uint32_t>(bits >> 32) << zeros_ |
-                                                 static_cast<std::uint32_t>(bits) >> (32 - zeros_));
-    return static_cast<std::int32_t>(std::int64_t{upper} * inverse_ >> 16);
-  }
-  // a b / 8 sum, b < sum / 2.
-  [[nodiscard]] std::uint32_t eighth_part(std::uint32_t a, std::uint32_t b) const {
-    const std::uint32_t part = (b << zeros_ >> 16) * static_cast<std::uint32_t>(inverse_) >> 16;  // b / sum 2^16
-    return static_cast<std::uint32_t>(std::uint64_t{a} * part >> 19);
-  }
-
- private:
-  std::uint32_t sum_;
-  int zeros_;             // 1 .. 9
-  std::int32_t inverse_;  // 2^48 / sum 2^zeros
-};
 
 }  // namespace
 
@@ -104,8 +71,11 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
                                     n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
   const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
-  error_ =
-      std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9);
+  keep(std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9));
+}
+
+void LevelChord::keep(std::int32_t error) {
+  error_ = error;
   if (error_ > 1 << 26) return;
   wide_error_ = static_cast<std::uint32_t>(error_ + error_ / 4 + 1);
   least_ = std::max<std::uint32_t>(32 * static_cast<std::uint32_t>(error_), 1 << 16);

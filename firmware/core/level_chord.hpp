@@ -97,9 +97,17 @@ class LevelChord {
   // Of u, 2^-16, where 1 / q <= 2: 12 of u0, 4 of kappa, 8 of q and its sum, 1 of the quotient, 14 of e's.
   static constexpr std::int32_t rounding = 39;
 
-  std::int32_t width_;                        // h
-  std::int32_t bow_ = 0;                      // m E / 2
-  std::int32_t normal_bow_ = 0;               // J / A
+ protected:
+  // Of h dots; nothing is known yet.
+  explicit LevelChord(std::int32_t width) : width_(width) {}
+  // What F / 2 errs by, once the bows are known.
+  void keep(std::int32_t error);
+
+  std::int32_t width_;           // h
+  std::int32_t bow_ = 0;         // m E / 2
+  std::int32_t normal_bow_ = 0;  // J / A
+
+ private:
   std::int32_t error_ = LevelPlace::unknown;  // of F / 2 on the whole chord
   std::uint32_t wide_error_ = 0;              // 5/4 of it
   std::uint32_t least_ = ~0U;                 // |F_a - F_b| that makes e small enough, and rounding too

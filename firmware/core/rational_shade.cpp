@@ -6,6 +6,8 @@
 #include <array>
 
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/quotient_forms.hpp"
+#include "firmware/core/reaches_level.hpp"
 #include "firmware/core/root_surface.hpp"
 #include "firmware/core/stride.hpp"
 
@@ -84,10 +86,6 @@ struct Registers {
   }
   void skip(std::int32_t t) { jump(r, d1, d2, t); }
   [[nodiscard]] std::int64_t value() const { return static_cast<std::int64_t>(r) >> 32; }
-  [[nodiscard]] std::uint64_t square() const {
-    const auto v = static_cast<std::uint64_t>(value());
-    return v * v;
-  }
 
  private:
   static std::uint64_t fixed(const Int& v, int shift) { return static_cast<std::uint64_t>(scaled(v, shift - 32)); }
@@ -121,14 +119,17 @@ class SpanShader {
   }
   // Of the dot x where the registers stand, sought from `level`.
   [[nodiscard]] std::int32_t level_at(std::int32_t x, std::int32_t level) const {
-    std::uint64_t n2 = 0;
-    for (const Registers& component : n_) n2 += component.square();
-    const Light here{l_.value(), static_cast<std::int64_t>(n2)};
+    Light here{l_.value(), 0};
+    std::int64_t sizes = 0;
+    for (const Registers& component : n_) {
+      const std::int64_t n = component.value();
+      sizes += n < 0 ? -n : n;
+      here.n2 += n * n;
+    }
+    const Margin margin = lit_margin(here, sizes, component_error);
     return search_level(job_.table, level, [&](std::int32_t k) {
-      const Answer answer = compare(here, margin_, job_.table.squares[static_cast<std::size_t>(k)]);
-      if (answer != Answer::unsure) return answer == Answer::yes;
-      ++job_.counters.exact_levels;
-      return job_.exact.reaches_level(job_.face, job_.lighting, job_.table.levels, k, x, y_);
+      const Answer answer = compare(here, margin, job_.table.squares[static_cast<std::size_t>(k)]);
+      return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
     });
   }
 
@@ -137,8 +138,7 @@ class SpanShader {
   std::int32_t y_;
   std::array<Registers, 3> n_;
   Registers l_;
-  // |N_i| < 2^30, each off by 4 at most: |N|^2 by 3 (2 * 2^30 * 4 + 16).
-  Margin margin_ = Margin::of(4, 3 * ((std::int64_t{8} << 30) + 16));
+  static constexpr std::int64_t component_error = 4;
 };
 
 void sample_span(const ShadeJob& job, SpanShader shader, std::int32_t x0, std::int32_t x1) {

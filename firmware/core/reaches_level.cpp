@@ -6,6 +6,7 @@
 
 #include "firmware/core/reaches_level.hpp"
 
+#include "firmware/core/quotient_forms.hpp"
 #include "firmware/core/real.hpp"
 #include "firmware/core/root_surface.hpp"
 
@@ -19,7 +20,7 @@ struct LitDot {
 // The error of a form, in its own units.
 constexpr std::int64_t rounding(bool rounded, int bits) { return rounded ? std::int64_t{1} << bits : 0; }
 
-LitDot lit_dot(const RootSurface& s, std::int32_t x, std::int32_t y) {
+LitDot root_dot(const RootSurface& s, std::int32_t x, std::int32_t y) {
   const int half = s.discriminant.exponent / 2;
   const int light = s.light.exponent;
   const int square = s.square.exponent;
@@ -28,6 +29,19 @@ LitDot lit_dot(const RootSurface& s, std::int32_t x, std::int32_t y) {
               Real(s.light_root, light - half, rounding(light > half, 0)) * root,
           Real(s.square.at(x, y), square, rounding(square > 0, quadratic_error_bits)) +
               Real(s.square_root.at(x, y), square - half, rounding(square > half, linear_error_bits)) * root};
+}
+
+LitDot quotient_dot(const ShadeJob& job, std::int32_t x, std::int32_t y) {
+  const LitForms<1> at = lit_forms<1>(job.face, job.lighting, x, y);
+  LitDot dot{quotient_sign(job.face, x, y) < 0 ? -at.light[0] : at.light[0], {}};
+  for (const auto& n : at.normal) dot.square = dot.square + n[0] * n[0];
+  return dot;
+}
+
+LitDot lit_dot(const ShadeJob& job, std::int32_t x, std::int32_t y) {
+  const ActiveFace& face = job.face;
+  return face.kind == FaceKind::root ? root_dot(face.surface, x - face.origin_x, y - face.origin_y)
+                                     : quotient_dot(job, x, y);
 }
 
 // The sign of L - t |N|, 0 where it is not certain: as t > 0 that is the sign of L where L <= 0, else that of the squares.
@@ -51,10 +65,7 @@ bool reaches_level(const ShadeJob& job, std::int32_t x, std::int32_t y, std::int
   const ActiveFace& face = job.face;
   if (k <= job.table.ambient_level) return true;
   if (k > job.table.top_level) return false;
-  if (face.kind == FaceKind::root || has_polynomial_normal(face, job.lighting)) {
-    const int sign = sign_of_level(job, lit_dot(face.surface, x - face.origin_x, y - face.origin_y), k);
-    if (sign != 0) return sign > 0;
-  }
+  if (const int sign = sign_of_level(job, lit_dot(job, x, y), k); sign != 0) return sign > 0;
   ++job.counters.exact_levels;
   return job.exact.reaches_level(face, job.lighting, job.table.levels, k, x, y);
 }

@@ -30,7 +30,9 @@ struct Terms {
   }
 };
 
-// From the signs of the five coefficients, 0 for unsure. An unsure one is harmless between different neighbours only: elsewhere
+}  // namespace
+
+// An unsure one is harmless between different neighbours only: elsewhere
 // it may hide two changes.
 Course course_of(const std::array<int, 5>& signs) {
   if (signs[0] == 0 || signs[4] == 0) return Course::unsure;
@@ -47,8 +49,6 @@ Course course_of(const std::array<int, 5>& signs) {
   if (changes > 1) return Course::unsure;
   return changes == 1 ? Course::ridge : before > 0 ? Course::rising : Course::falling;
 }
-
-}  // namespace
 
 int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
 

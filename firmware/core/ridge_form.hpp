@@ -14,6 +14,7 @@
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "firmware/core/section_forms.hpp"
@@ -32,6 +33,8 @@ struct RidgeDot {
 
 // What is known of the intensity between two dots.
 enum class Course : std::uint8_t { unsure, rising, falling, ridge };
+// From the signs of a quartic's five coefficients, 0 for unsure.
+[[nodiscard]] Course course_of(const std::array<int, 5>& signs);
 
 class RidgeForm {
  public:

@@ -7,6 +7,7 @@
 #include "firmware/core/contour.hpp"
 #include "firmware/core/cross_arc.hpp"
 #include "firmware/core/level_search.hpp"
+#include "firmware/core/quotient_forms.hpp"
 #include "firmware/core/root_surface.hpp"
 
 namespace halfspace {
@@ -76,6 +77,37 @@ struct Pencil {
 };
 
 Pencil parallels(const Form& d) { return {-d.xy / (d.xx + d.xx), {}, {}}; }
+// Of a face without z^2. Its apex is where rows 0 to 2 vanish, so b and what rows 0 and 1 have beside z; all along a cylinder's axis b keeps its
+// value, and the other has none.
+struct QuotientCentre {
+  Real w, x, y;  // of the apex's image
+  bool is_parallel;
+
+  explicit QuotientCentre(const FaceRows& f) {
+    RealVector flat;
+    int most = std::numeric_limits<int>::min();
+    int left = most;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Real of_x = f.slope[1] * f.row[0][k];
+      const Real of_y = f.slope[0] * f.row[1][k];
+      flat[k] = of_x - of_y;
+      if (!of_x.is_zero()) most = std::max(most, of_x.bits());
+      if (!of_y.is_zero()) most = std::max(most, of_y.bits());
+      if (!flat[k].is_zero()) left = std::max(left, flat[k].bits());
+    }
+    constexpr int cut = 32;
+    is_parallel = left == std::numeric_limits<int>::min() || left <= most - cut;
+    const RealVector& b = f.row[2];
+    w = b[1] * flat[2] - b[2] * flat[1];
+    x = b[2] * flat[0] - b[0] * flat[2];
+    y = b[0] * flat[1] - b[1] * flat[0];
+  }
+  [[nodiscard]] Pencil pencil(const RealVector& b) const {
+    if (is_parallel) return {-b[2] / b[1], {}, {}};
+    return {x / y, -w / y, {}};
+  }
+};
+
 // Through the centre of D = 0, the apex's image.
 Pencil through_centre(const Form& d) {
   const Real spread = d.spread();
@@ -151,6 +183,19 @@ void add_normals(CrossLine& line, const ShadeJob& job, const Quadric& q, const F
     line.normal_step[i] = reversed ? n.x : -n.x;
     line.normal_root[i] = root_reversed ? -root : root;
   }
+}
+
+// The same of a form of second degree, which grows as (1 + g)^2.
+void hold_square_on_all_lines(std::array<Real, 6>& n, const Pencil& p) {
+  const int lines = line_bits_of(p);
+  const int growth = p.spread.is_zero() ? 0 : 4;
+  const Real square = p.spread * p.spread;
+  const Real bend = n[3] + n[3];
+  const Real turn = bend * p.slope + n[4];
+  n[0] = n[0].blurred(n[1] * p.slope + n[2] - (n[0] + n[0]) * p.spread, lines + growth)
+             .blurred((n[3] * p.slope + n[4]) * p.slope + n[5] - n[0] * square, 2 * lines + growth);
+  n[1] =
+      n[1].blurred(turn - n[1] * p.spread, lines + growth).blurred(turn * p.spread - n[1] * square, 2 * lines + growth);
 }
 
 // The part of the line that the face, which is at 0, has as far as its limbs; or, where they lie far off or there are none, from -left to
@@ -421,9 +466,9 @@ class Survey {
 
 }  // namespace
 
-bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  StraightContours& out = job.contours->straight;
-  out.entries = 0;
+namespace {
+
+bool make_root_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1, CrossArc& arc) {
   const std::int32_t x = middle_of(job.face, y, x0, x1);
   const Quadric quadric = about_dot(job.face, x, y);
   Form d = discriminant_of(quadric);
@@ -439,9 +484,50 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
   ArcEnd b;
   // A cone's lines towards its apex need more of its rulings: those of a third of the way.
   if (!ends_of_face(line, 3 * (x - x0) + 64, 3 * (x1 - x) + 64, a, b)) return false;
-  if (!aim(pencil, x, a, b, out)) return false;
+  return aim(pencil, x, a, b, job.contours->straight) && arc.make(line, a, b, job.lighting);
+}
+
+// As far as b = 0, beyond which the face is another side of its surface.
+bool make_quotient_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1, CrossArc& arc) {
+  const std::int32_t x = x0 + (x1 - x0) / 2;
+  const FaceRows rows(job.face, x, y);
+  const RealVector& depth = rows.row[2];
+  const Pencil pencil = QuotientCentre(rows).pencil(depth);
+  ArcEnd a{Real(-(3 * (x - x0) + 64)), {}};
+  ArcEnd b{Real(3 * (x1 - x) + 64), {}};
+  if (const int rise = depth[1].sign() * depth[0].sign(); rise != 0) {
+    const Real limb = -depth[0] / depth[1];
+    if (rise > 0 && (limb - a.x).sign() > 0) a.x = limb;
+    if (rise < 0 && (b.x - limb).sign() > 0) b.x = limb;
+  }
+  LitForms<6> forms = lit_forms<6>(job.face, job.lighting, x, y);
+  const bool reversed = (quotient_sign(job.face, x, y) < 0) != (job.face.light_sign < 0);
+  RealVector na;
+  RealVector nt;
+  RealVector nb;
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& n = forms.normal[i];
+    hold_square_on_all_lines(n, pencil);
+    na[i] = n[0] + (n[1] + n[3] * a.x) * a.x;
+    nt[i] = n[0] + (n[1] * (a.x + b.x)).half() + n[3] * a.x * b.x;
+    nb[i] = n[0] + (n[1] + n[3] * b.x) * b.x;
+    if (reversed) {
+      na[i] = -na[i];
+      nt[i] = -nt[i];
+      nb[i] = -nb[i];
+    }
+  }
+  return aim(pencil, x, a, b, job.contours->straight) && arc.make(na, nt, nb, {Real(1), Real(2)}, job.lighting);
+}
+
+}  // namespace
+
+bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  StraightContours& out = job.contours->straight;
+  out.entries = 0;
   CrossArc arc;
-  if (!arc.make(line, a, b, job.lighting)) return false;
+  const auto make_arc = job.face.kind == FaceKind::root ? &make_root_arc : &make_quotient_arc;
+  if (!make_arc(job, y, x0, x1, arc)) return false;
   Survey survey(job, arc);
   if (!survey.run()) return false;
   out.line = y;
@@ -450,13 +536,28 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
   return true;
 }
 
-// What D's determinant is above 0 for, such as a cylinder written in decimals, becomes an error of the survey's forms.
+// What D's determinant is above 0 for, such as a cylinder written in decimals, becomes an error of the survey's forms; so does, of a face
+// without z^2, what is left of row 3 at the centre.
 bool has_straight_contours(const ActiveFace& face) {
   Real sum;
   int most = std::numeric_limits<int>::min();
-  for (const Real& term : discriminant_of(about_origin(face)).determinant()) {
+  const auto add = [&](const Real& term) {
     sum = sum + term;
     if (!term.is_zero()) most = std::max(most, term.bits());
+  };
+  if (face.kind == FaceKind::root) {
+    for (const Real& term : discriminant_of(about_origin(face)).determinant()) add(term);
+  } else {
+    const FaceRows rows(face, face.origin_x, face.origin_y);
+    const QuotientCentre centre(rows);
+    if (centre.is_parallel) return true;
+    // z of the centre times slope: that of the row in which it is larger.
+    const std::size_t by = rows.slope[0].bits() >= rows.slope[1].bits() ? 0 : 1;
+    const auto flat = [&](const RealVector& row) {
+      return std::array<Real, 3>{row[0] * centre.w, row[1] * centre.x, row[2] * centre.y};
+    };
+    for (const Real& term : flat(rows.row[3])) add(rows.slope[by] * term);
+    for (const Real& term : flat(rows.row[by])) add(-rows.slope[3] * term);
   }
   return sum.sign() == 0 || sum.bits() <= most - 16;
 }
@@ -468,6 +569,7 @@ bool has_wide_coefficients(const ActiveFace& face) {
 
 // n lines on the discriminant of D is that here and 2 centre_y n - spread n^2.
 std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y) {
+  if (face.kind != FaceKind::root) return no_line;
   const Form d = discriminant_of(about_dot(face, x, y));
   const Real spread = d.spread();
   const Real centre = d.centre_y();

@@ -41,7 +41,8 @@ class Contours {
     if (by_contours) {
       if (!all_contours.shade(job, Shader::contour, y, run.x0, run.x1)) return {};
     } else {
-      shade_root_span(job, Shader::isqrt, y, run.x0, run.x1);
+      const auto shade_span = face.active.kind == FaceKind::root ? &shade_root_span : &shade_rational_span;
+      shade_span(job, Shader::isqrt, y, run.x0, run.x1);
     }
     std::vector<std::uint8_t> levels(page_.row_bytes());
     painter.copy_to(levels);
@@ -164,6 +165,38 @@ TestFace some_sphere(Dice& dice, std::int64_t radius, std::int32_t side, const L
   return make_face(FaceKind::root, c, {at(), at(), 0}, dice() % 3 == 0 ? 1 : -1, dice() % 3 == 0 ? -1 : 1, 0, lighting);
 }
 
+std::size_t place_of(std::size_t i, std::size_t j) {
+  static constexpr std::uint8_t place[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
+  return place[i][j];
+}
+
+// As if written in decimals: exact to within 2^-30 to 2^-48.
+void blur(Dice& dice, std::array<mpz_class, 10>& c) {
+  const mpz_class unit = mpz_class(1) << static_cast<unsigned>(between(dice, 26, 44));
+  for (mpz_class& k : c) k = k * unit + whole(between(dice, -8, 8));
+}
+
+// Without z^2, seen along a ruling or an asymptote: 2 p q + r^2, where p and r are no forms of z, or 2 p q + p^2 and a constant.
+TestFace some_ruled_quotient(Dice& dice, std::int64_t radius, std::int32_t side, const Lighting& lighting) {
+  const bool cone = dice() % 2 == 0;
+  std::array<std::array<mpz_class, 4>, 3> form;
+  const std::array<std::int64_t, 3> apex{between(dice, -radius, radius), between(dice, -radius, radius), 0};
+  for (std::size_t f = 0; f < 3; ++f) {
+    for (std::size_t i = 0; i < (f == 1 ? 3 : 2); ++i) form[f][i] = whole(between(dice, -30, 30));
+    for (std::size_t i = 0; i < 3; ++i) form[f][3] -= form[f][i] * whole(apex[i]);
+  }
+  const auto& [p, q, r] = form;
+  std::array<mpz_class, 10> c;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i; j < 4; ++j)
+      c[place_of(i, j)] = p[i] * q[j] + p[j] * q[i] + (cone ? r[i] * r[j] : p[i] * p[j]);
+  }
+  if (!cone) c[9] += whole(between(dice, -1, 1) * radius * radius * 300);
+  if (dice() % 2 == 0) blur(dice, c);
+  c[2] = 0;
+  return make_face(FaceKind::rational, c, {side / 2, side / 2, 0}, 0, dice() % 2 == 0 ? 1 : -1, 0, lighting);
+}
+
 // A cylinder or a cone, or almost one, its apex on the page or off it: a sum of two squares of integer forms, less a third or a constant.
 TestFace some_ruled_face(Dice& dice, std::int64_t radius, std::int32_t side, const Lighting& lighting) {
   const bool cone = dice() % 2 == 0;
@@ -178,17 +211,12 @@ TestFace some_ruled_face(Dice& dice, std::int64_t radius, std::int32_t side, con
     for (std::size_t i = 0; i < 3; ++i) l[3] -= l[i] * whole(apex[i]);
     const int sign = term == 2 ? -1 : 1;
     length += l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
-    static constexpr std::uint8_t place[4][4] = {{0, 3, 5, 6}, {3, 1, 4, 7}, {5, 4, 2, 8}, {6, 7, 8, 9}};
     for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i; j < 4; ++j) c[place[i][j]] += sign * l[i] * l[j];
+      for (std::size_t j = i; j < 4; ++j) c[place_of(i, j)] += sign * l[i] * l[j];
     }
   }
   if (!cone) c[9] -= length * whole(radius * radius) / whole(between(dice, 2, 12));
-  // As if written in decimals: ruled to within 2^-30 to 2^-48.
-  if (dice() % 2 == 0) {
-    const mpz_class unit = mpz_class(1) << static_cast<unsigned>(between(dice, 26, 44));
-    for (mpz_class& k : c) k = k * unit + whole(between(dice, -8, 8));
-  }
+  if (dice() % 2 == 0) blur(dice, c);
   int light_sign = dice() % 2 == 0 ? 1 : -1;
   if (c[2] < 0) {
     for (mpz_class& k : c) k = -k;
@@ -215,16 +243,17 @@ TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
 }
 
 // Line after line, as the engine asks: one line's survey serves those after it.
-TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
-  Dice dice(31);
+void expect_same_dots_line_by_line(Dice& dice,
+                                   TestFace (*some_face)(Dice&, std::int64_t, std::int32_t, const Lighting&),
+                                   FaceKind kind) {
   Tally tally;
   std::uint64_t straight = 0;
   for (int trial = 0; trial < trials(200); ++trial) {
     const Lighting lighting = dice() % 4 == 0 ? random_lighting(dice) : some_lighting(dice);
     const std::int64_t radius = dice() % 8 == 0 ? between(dice, 100, 400) : between(dice, 20, 80);
     const auto side = static_cast<std::int32_t>(2 * radius + 4);
-    const TestFace face = some_ruled_face(dice, radius, side, lighting);
-    if (face.active.kind != FaceKind::root) continue;
+    const TestFace face = some_face(dice, radius, side, lighting);
+    if (face.active.kind != kind) continue;
     const std::int32_t levels = some_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, side);
     if (exact == nullptr) continue;
@@ -248,6 +277,16 @@ TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
   EXPECT_GT(straight, static_cast<std::uint64_t>(trials(60)));
 }
 
+TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {
+  Dice dice(31);
+  expect_same_dots_line_by_line(dice, &some_ruled_face, FaceKind::root);
+}
+
+TEST(StraightContour, GivesTheDotsOfFacesWhoseDepthIsAQuotient) {
+  Dice dice(32);
+  expect_same_dots_line_by_line(dice, &some_ruled_quotient, FaceKind::rational);
+}
+
 Lighting plain_lighting() {
   Lighting l;
   for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
@@ -258,7 +297,8 @@ Lighting plain_lighting() {
 
 int lines_not_straight(const std::array<mpz_class, 10>& c, std::int32_t side) {
   const Lighting lighting = plain_lighting();
-  const TestFace face = make_face(FaceKind::root, c, {side / 2, side / 2, 0}, -1, 1, 0, lighting);
+  const FaceKind kind = c[2] == 0 ? FaceKind::rational : FaceKind::root;
+  const TestFace face = make_face(kind, c, {side / 2, side / 2, 0}, -1, 1, 0, lighting);
   const ExactModule* exact = exact_for({&face}, lighting, 65, side);
   return exact == nullptr ? side : Contours(lighting, 65, side, side).lines_not_straight(face, *exact);
 }
@@ -274,6 +314,14 @@ TEST(StraightContour, DeclinesFewLines) {
   std::array<mpz_class, 10> rounded = cone;
   for (mpz_class& k : rounded) k = (k << 40) + 3;
   EXPECT_LT(lines_not_straight(rounded, 600), 16);
+  // Along an asymptote: 2 (3 x + y) z = 15000; and (x - 7)^2 + 2 (y + 30) (z + 9) = 0, whose image is the page on one side of a line at a time.
+  EXPECT_EQ(lines_not_straight({0, 0, 0, 0, 1, 3, 0, 0, 0, -15000}, 400), 0);
+  const std::array<mpz_class, 10> ruling{1, 0, 0, 0, 1, 0, -7, 9, 30, 589};
+  EXPECT_LT(lines_not_straight(ruling, 600), 16);
+  rounded = ruling;
+  for (mpz_class& k : rounded) k <<= 40;
+  for (const std::size_t i : {0, 1, 3, 4, 5, 6, 7, 8, 9}) rounded[i] += 3;
+  EXPECT_LT(lines_not_straight(rounded, 600), 100);
 }
 
 // The highest level only on the ruling that faces the light, a column of dots, between two dots of the level below.

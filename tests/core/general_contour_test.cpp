@@ -6,6 +6,7 @@
 #include "firmware/core/isqrt.hpp"
 #include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
+#include "firmware/core/quotient_section.hpp"
 #include "firmware/core/ridge_form.hpp"
 #include "firmware/core/root_surface.hpp"
 #include "tests/core/faces.hpp"
@@ -147,18 +148,93 @@ TEST(GeneralContour, FacesWithPolynomialNormals) {
   EXPECT_LT(tally.asked * 4, tally.dots);
 }
 
+std::array<mpz_class, 10> diagonal(long a, long b, long c, long k) {
+  std::array<mpz_class, 10> q;
+  q[0] = a, q[1] = b, q[2] = c, q[9] = k;
+  return q;
+}
+
+Lighting plain_lighting(std::array<std::int32_t, 3> light) {
+  Lighting l;
+  for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
+  l.light = light;
+  l.ambient = 0;
+  l.parallel = l.unit = 1000;
+  return l;
+}
+
+// A face without z^2: with coefficients of any size; or, so that many levels are met, a hyperboloid, a cone or a saddle of some radius
+// seen along an asymptote.
+TestFace quotient_face(Dice& dice, std::int32_t width, bool is_solid, const Lighting& lighting) {
+  std::array<mpz_class, 10> c;
+  const int bits = static_cast<int>(between(dice, 1, is_solid ? 20 : 70));
+  for (mpz_class& k : c) k = random_bits(dice, bits);
+  c[2] = 0;
+  if (is_solid) {
+    const std::int64_t radius = between(dice, 1, width);
+    for (const int i : {6, 7, 8, 9}) c[static_cast<std::size_t>(i)] = 0;
+    c[9] = between(dice, -1, 1) * radius * radius * c[0];
+  }
+  return make_face(FaceKind::rational, c, {between(dice, 0, width), between(dice, 0, width), between(dice, -9, 9)}, 0,
+                   dice() % 2 == 0 ? -1 : 1, 0, lighting);
+}
+
+TEST(GeneralContour, FacesWhoseDepthIsAQuotient) {
+  Dice dice(40);
+  Tally tally;
+  for (int trial = 0; trial < trials(6000); ++trial) {
+    const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face = quotient_face(dice, width, trial % 2 == 0, lighting);
+    const auto y = static_cast<std::int32_t>(between(dice, 0, width - 1));
+    expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+  }
+  EXPECT_GT(tally.dots, 200000U);
+  EXPECT_LT(tally.asked * 4, tally.dots);
+  EXPECT_LT(tally.exact * 200, tally.dots);
+}
+
+// A line through an apex, one along a ruling, a limb at infinity within the page, light along the surface.
+TEST(GeneralContour, DegenerateQuotients) {
+  // 10 in the order of face.hpp: x^2, y^2, z^2, xy, yz, xz, x, y, z, 1.
+  const std::array<mpz_class, 10> faces[] = {
+      {1, 0, 0, 0, 1, 0, 0, 0, 0, 0},       {1, 0, 0, 0, 1, 0, 0, 0, 0, -900},
+      {1, 0, 0, 0, 1, 0, 0, 0, 0, 900},     {0, 0, 0, 0, 0, 1, 0, -20, 0, 0},
+      {0, 0, 0, 0, 0, 1, -20, 0, 0, 0},     {0, 1, 0, 0, 0, 1, 0, 0, 0, 0},
+      {1, 1, 0, 0, 2, 1, 0, 0, 0, -400},    {0, 0, 0, 0, 1, 1, 30, 0, 0, 0},
+      {0, 0, 0, 1, 0, 1, 0, 0, 0, 0},       {1000000, 0, 0, 0, 1, 0, 0, 0, 0, 0},
+      {1, 0, 0, 0, 1000000, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1000000, 0, 0, 0, -1}};
+  const std::array<std::int32_t, 3> lights[] = {{300, -500, -900}, {0, 1000, 1000}, {1, 2, -3000}, {1000, 0, 0},
+                                                {0, 0, -1},        {32767, 1, -1},  {0, 0, 0},     {77, -55, -33}};
+  Dice dice(41);
+  Tally tally;
+  for (const auto& c : faces) {
+    for (const auto& light : lights) {
+      const Lighting lighting = plain_lighting(light);
+      const TestFace face = make_face(FaceKind::rational, c, {48, 48, 5}, 0, 1, 0, lighting);
+      for (const std::int32_t y : {0, 8, 47, 48, 49, 88}) {
+        expect_same_dots(face, lighting, 65, y, 97, dice, tally);
+        ASSERT_FALSE(HasFatalFailure()) << "face " << &c - faces << " light " << &light - lights;
+      }
+    }
+  }
+  EXPECT_GT(tally.dots, 40000U);
+}
+
 // Line after line, in one span or two: forms made for a block of lines serve all of them.
 TEST(GeneralContour, EveryLineOfAFace) {
   Dice dice(38);
   std::uint64_t dots = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < 225; ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 400 : between(dice, 8, 100));
     const Lighting lighting = random_lighting(dice);
-    const TestFace face =
-        solid_face(dice, between(dice, 0, width), between(dice, 0, width), between(dice, 1, width), lighting);
+    const TestFace face = trial % 2 == 0 ? quotient_face(dice, width, true, lighting)
+                                         : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
+                                                      between(dice, 1, width), lighting);
     const std::int32_t levels = random_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, width);
-    if (face.active.kind != FaceKind::root || exact == nullptr) continue;
+    if (face.active.kind == FaceKind::plane || exact == nullptr) continue;
     Canvas canvas(lighting, levels, width);
     canvas.keep();
     for (std::int32_t y = 0; y < width; ++y) {
@@ -192,21 +268,6 @@ TEST(GeneralContour, RoundedSurfaces) {
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
   EXPECT_GT(tally.dots, 20000U);
-}
-
-std::array<mpz_class, 10> diagonal(long a, long b, long c, long k) {
-  std::array<mpz_class, 10> q;
-  q[0] = a, q[1] = b, q[2] = c, q[9] = k;
-  return q;
-}
-
-Lighting plain_lighting(std::array<std::int32_t, 3> light) {
-  Lighting l;
-  for (int i = 0; i < 3; ++i) l.matrix[i][i] = 1 << 14;
-  l.light = light;
-  l.ambient = 0;
-  l.parallel = l.unit = 1000;
-  return l;
 }
 
 // Where a form vanishes, or nearly: apexes, rulings along the line, needles and discs, light along the surface.
@@ -269,70 +330,93 @@ TEST(GeneralContour, TheWidestSpan) {
   EXPECT_GT(tally.dots, 32000U);
 }
 
+struct ChordTally {
+  int places = 0, close = 0, kept = 0;
+};
+
 // Where the chord's ends have different levels, dots as far as its error before a place must still have the one, those beyond the other.
+// `row` has the true levels.
+template <class Dot, class Chord, class Section>
+void expect_chord_holds(const ShadeJob& job, const Section& line, const std::vector<std::uint8_t>& row, DotRun part,
+                        ChordTally& tally) {
+  const auto [from, to] = part;
+  const auto level_at_dot = [&](std::int32_t x) { return row[static_cast<std::size_t>(x)]; };
+  const Dot a(line, from - line.middle(), 128);
+  const Dot b(line, to - line.middle(), 128);
+  const Chord chord(line, a, b);
+  for (std::int32_t k = job.table.ambient_level + 1; k <= job.table.top_level; ++k) {
+    const std::uint64_t square = job.table.squares[static_cast<std::size_t>(k)];
+    if (square < 1U << 20) continue;  // its root has too few bits here
+    const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2));
+    for (const int sign : {-1, 1}) {
+      if (!chord.keeps_sign(sign, bar, a.above(bar), b.above(bar))) continue;
+      ++tally.kept;
+      for (std::int32_t x = from; x <= to; ++x) {
+        ASSERT_EQ(level_at_dot(x) >= k, sign > 0) << "level " << k << " dot " << x;
+      }
+    }
+    if ((level_at_dot(from) >= k) == (level_at_dot(to) >= k)) continue;
+    const std::int32_t sign = level_at_dot(to) >= k ? 1 : -1;
+    Chord up = chord;
+    if (sign < 0) up.mirror();
+    const LevelPlace place = up.place(bar, sign * a.above(bar), sign * b.above(bar));
+    if (place.error == LevelPlace::unknown) continue;
+    ++tally.places;
+    if (place.error < 1 << 13) ++tally.close;
+    for (std::int32_t x = from; x <= to; ++x) {
+      const bool as_from = (level_at_dot(x) >= k) == (level_at_dot(from) >= k);
+      const std::int32_t at = (x - from) * (1 << 16);
+      const bool is_before = at < place.at - place.error;
+      const bool is_beyond = at > place.at + place.error;
+      ASSERT_TRUE(as_from ? !is_beyond : !is_before) << "level " << k << " dot " << x;
+    }
+  }
+}
+
 TEST(LevelChord, SaysNoMoreThanHolds) {
   Dice dice(37);
-  int places = 0;
-  int close = 0;
-  int kept = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
-    const std::int32_t width = trial % 4 == 0 ? 1000 : 200;
+  ChordTally roots;
+  ChordTally quotients;
+  for (int trial = 0; trial < 8000; ++trial) {
+    const std::int32_t width = trial % 8 < 2 ? 1000 : 200;
     const Lighting lighting = random_lighting(dice);
-    const TestFace face =
-        solid_face(dice, between(dice, 0, width), between(dice, 0, width), between(dice, width / 8, width), lighting);
+    const TestFace face = trial % 2 == 0 ? quotient_face(dice, width, true, lighting)
+                                         : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
+                                                      between(dice, width / 8, width), lighting);
     const std::int32_t levels = random_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, width);
-    if (face.active.kind != FaceKind::root || exact == nullptr) continue;
+    const bool is_root = face.active.kind == FaceKind::root;
+    if ((!is_root && trial % 2 != 0) || exact == nullptr) continue;
     const auto y = static_cast<std::int32_t>(between(dice, 0, width - 1));
     Canvas canvas(lighting, levels, width);
     for (const DotRun& run : runs_of(face, y, width)) {
       if (run.x1 - run.x0 < 2) continue;
       const std::vector<std::uint8_t> row = canvas.dots(face, *exact, y, run).levels;
       canvas.shade(face, *exact, y, run, [&](const ShadeJob& job, std::int32_t line_y, DotRun dots) {
-        SectionForms& forms = job.contours->general.forms;
-        forms.cover(job, line_y, dots.x0, dots.x1);
-        if (forms.may_be_dark) return;
-        const LineSection line(forms, forms.on(line_y));
         const auto from = static_cast<std::int32_t>(between(dice, dots.x0, dots.x1 - 2));
         const auto to = static_cast<std::int32_t>(between(dice, from + 2, std::min(dots.x1, from + 40)));
-        const LevelDot a(line, from - line.middle(), 128);
-        const LevelDot b(line, to - line.middle(), 128);
-        const LevelChord chord(line, a, b);
-        for (std::int32_t k = job.table.ambient_level + 1; k <= job.table.top_level; ++k) {
-          const std::uint64_t square = job.table.squares[static_cast<std::size_t>(k)];
-          if (square < 1U << 20) continue;  // its root has too few bits here
-          const auto bar = static_cast<std::uint32_t>(isqrt(square << 32 >> 2));
-          for (const int sign : {-1, 1}) {
-            if (!chord.keeps_sign(sign, bar, a.above(bar), b.above(bar))) continue;
-            ++kept;
-            for (std::int32_t x = from; x <= to; ++x) {
-              ASSERT_EQ(row[static_cast<std::size_t>(x)] >= k, sign > 0)
-                  << "trial " << trial << " level " << k << " dot " << x;
-            }
-          }
-          if ((row[static_cast<std::size_t>(from)] >= k) == (row[static_cast<std::size_t>(to)] >= k)) continue;
-          const std::int32_t sign = row[static_cast<std::size_t>(to)] >= k ? 1 : -1;
-          LevelChord up = chord;
-          if (sign < 0) up.mirror();
-          const LevelPlace place = up.place(bar, sign * a.above(bar), sign * b.above(bar));
-          if (place.error == LevelPlace::unknown) continue;
-          ++places;
-          if (place.error < 1 << 13) ++close;
-          for (std::int32_t x = from; x <= to; ++x) {
-            const bool as_from = (row[static_cast<std::size_t>(x)] >= k) == (row[static_cast<std::size_t>(from)] >= k);
-            const std::int32_t at = (x - from) * (1 << 16);
-            const bool is_before = at < place.at - place.error;
-            const bool is_beyond = at > place.at + place.error;
-            ASSERT_TRUE(as_from ? !is_beyond : !is_before) << "trial " << trial << " level " << k << " dot " << x;
-          }
+        if (is_root) {
+          SectionForms& forms = job.contours->general.forms;
+          forms.cover(job, line_y, dots.x0, dots.x1);
+          if (forms.may_be_dark) return;
+          const LineSection line(forms, forms.on(line_y));
+          expect_chord_holds<LevelDot, LevelChord>(job, line, row, {from, to}, roots);
+        } else {
+          QuotientForms forms{};
+          if (!forms.cover(job, line_y, dots.x0, dots.x1)) return;
+          forms.turn(quotient_sign(job.face, dots.x0, line_y));
+          const QuotientSection line(forms, forms.on(line_y));
+          expect_chord_holds<QuotientDot, QuotientChord>(job, line, row, {from, to}, quotients);
         }
       });
-      ASSERT_FALSE(HasFatalFailure());
+      ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
     }
   }
-  EXPECT_GT(places, 1500);
-  EXPECT_GT(close * 2, places);
-  EXPECT_GT(kept, 10 * places);
+  for (const ChordTally& tally : {roots, quotients}) {
+    EXPECT_GT(tally.places, 1500);
+    EXPECT_GT(tally.close * 2, tally.places);
+    EXPECT_GT(tally.kept, 10 * tally.places);
+  }
 }
 
 // The point of it: few dots of a large face are asked for themselves.
