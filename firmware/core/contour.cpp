@@ -74,8 +74,8 @@ struct Costs {
   Costs(const ShadeJob& job, Shader shader, std::int32_t n) {
     const std::int32_t r = levels_met(job, n);
     dot_by_dot = shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
-    general = ways.general.cost(n, r);
-    const std::int32_t edges = job.painter.edges_of(r);  // the only levels that these two look for
+    const std::int32_t edges = job.painter.edges_of(r);          // the only levels that are looked for
+    general = ways.general.cost(n, std::min(r, 7 * edges / 4));  // by chords instead of tracks they take 7/4 as much
     sphere = ways.sphere.cost(n, edges);
     straight = ways.straight.cost(n, edges) + ways.skip * r;
   }

@@ -39,12 +39,16 @@ struct ScaledLinear {
 // A root face over the page: what the filters of depth.hpp and root_shade.cpp walk on. With s = sqrt(D) 2^-e, 2e the
 // discriminant's exponent, and the face's own sheet sign taken in:
 //   light . N  = light + light_root s        |N|^2 = square + square_root s
+// square_root's exponent is at most square's.
 struct RootSurface {
   ScaledQuadratic discriminant;  // its exponent is even
   ScaledLinear light;
   Wide<128> light_root;
   ScaledQuadratic square;
   ScaledLinear square_root;
+
+  // Bits that square_root has below square.
+  [[nodiscard]] int square_root_fraction() const { return square.exponent - square_root.exponent; }
 };
 
 // Where a face lies on dots x0 .. x1 of lines y0 .. y1, and for planes and root faces its depth there, in 64 bits: depth_block.hpp.

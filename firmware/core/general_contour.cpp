@@ -37,6 +37,10 @@ struct RootParts {
   static Ridge ridge(const Forms& forms, const Line& line) { return {forms, line}; }
   // Whether s falls from a to b by more than 1 / 2^bits of it.
   static bool falls(const Dot& a, const Dot& b, int bits) { return a.s - (a.s >> bits) > b.s; }
+  // How often s at a goes into that at b, up to 64; 1 if not twice.
+  static std::int32_t growth(const Dot& a, const Dot& b) {
+    return b.s / 2 <= a.s ? 1 : std::min<std::int32_t>(b.s / std::max<std::int32_t>(a.s, 1), 64);
+  }
 };
 struct QuotientParts {
   using Forms = QuotientForms;
@@ -49,14 +53,23 @@ struct QuotientParts {
 
   static const Forms& forms(const GeneralContours& face) { return face.quotient; }
   static Ridge ridge(const Forms& /*forms*/, const Line& line) { return Ridge(line); }
-  static bool falls(const Dot& /*a*/, const Dot& /*b*/, int /*bits*/) { return false; }  // it has no limb
+  // It has no limb.
+  static bool falls(const Dot& /*a*/, const Dot& /*b*/, int /*bits*/) { return false; }
+  static std::int32_t growth(const Dot& /*a*/, const Dot& /*b*/) { return 1; }
 };
 
-// Tracks pay on blocks of so many lines; and a face with straight contours has other use for its block.
+// Tracks pay on blocks of so many lines, where most of them show each boundary, and where s is good enough, without a shear; and a face with
+// straight contours has other use for its block.
 constexpr std::int32_t fewest_lines = 32;
-std::span<std::uint32_t> tracked_block(const FaceContours& face) {
-  if (face.kind != ContourKind::general || face.general.is_quotient) return {};
-  return face.general.forms.y1 - face.general.forms.y0 >= fewest_lines ? face.block : std::span<std::uint32_t>{};
+std::span<std::uint32_t> tracked_block(const ShadeJob& job) {
+  const FaceContours& face = *job.contours;
+  const SectionForms& forms = face.general.forms;
+  if (face.kind != ContourKind::general || face.general.is_quotient || face.general.has_other ||
+      forms.shear.bits != 0) {
+    return {};
+  }
+  const bool pays = forms.y1 - forms.y0 >= fewest_lines && job.painter.edges_of(fewest_lines) >= fewest_lines / 2;
+  return pays ? face.block : std::span<std::uint32_t>{};
 }
 
 template <class Parts, class Painter>  // of a row
@@ -68,7 +81,8 @@ class SpanTracer {
         bars_(job.contours->general.bars),
         line_(Parts::forms(job.contours->general), line),
         ridge_(Parts::ridge(Parts::forms(job.contours->general), line)),
-        tracks_(job.contours->general, tracked_block(*job.contours), y),
+        tracks_(job.contours->general, tracked_block(job), y),
+        edges_(job.painter.edges()),
         painter_(job.painter, x0, 0) {}
 
   void run(std::int32_t x0, std::int32_t x1);
@@ -131,6 +145,14 @@ class SpanTracer {
   [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
                                                            std::int32_t from) const;
 
+  // The next boundary that shows, from level k on; and whether it comes before level `end`.
+  [[nodiscard]] std::int32_t edge(std::int32_t k, std::int32_t sign) const {
+    return sign > 0 ? edges_.from(k) : edges_.to(k);
+  }
+  [[nodiscard]] static bool has_boundary(std::int32_t k, std::int32_t end, std::int32_t sign) {
+    return (end - k) * sign > 0;
+  }
+
   void turn(std::int32_t t, std::int32_t level) {
     painter_.change(line_.middle() + t, level);
     ++job_.counters.level_spans;
@@ -142,6 +164,7 @@ class SpanTracer {
   typename Parts::Section line_;
   typename Parts::Ridge ridge_;
   BoundaryTracks tracks_;
+  LevelEdges edges_;
   Painter painter_;
   std::int32_t level_ = 0;            // so far
   std::int32_t chord_ = first_chord;  // the next one's width, if it may be
@@ -275,8 +298,9 @@ auto SpanTracer<Parts, Painter>::follow(Reached from, std::int32_t end, bool ris
   std::int32_t beyond = 0;
   std::int32_t k = from.k;
   Painter painter = painter_;
-  const std::uint32_t* path = tracks_.slot_of(k, rising);
-  for (; k != end && BoundaryTracks::is_path(*path); k += sign, path += sign) {
+  for (; has_boundary(k, end, sign); k = edge(k + sign, sign)) {
+    const std::uint32_t* path = tracks_.slot_of(k, rising);
+    if (!BoundaryTracks::is_path(*path)) break;
     const std::int32_t x = line.x_of(*path);
     const std::int32_t error = BoundaryTracks::error_of(*path);
     const std::int32_t before = (x - error) >> 16;
@@ -303,18 +327,20 @@ void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
   job_.counters.level_spans += static_cast<std::uint32_t>((end - k) * sign);
   level_ = last_level;
   const auto is_beyond = [&](const Dot& dot, std::int32_t lead) {
-    return k != end && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
+    return has_boundary(k, end, sign) && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
   // As many levels as dots: dots one by one take less.
   const auto is_crowded = [&](const Lead& lead, std::uint32_t bar, std::int32_t width) {
-    return (end - k) * sign > width && lead.of(bar + static_cast<std::uint32_t>(width) * bar_step) > 0;
+    return job_.painter.edges_of((end - k) * sign) > width &&
+           lead.of(bar + static_cast<std::uint32_t>(width) * bar_step) > 0;
   };
   std::int32_t followed = -1;
-  while (k != end && a.t < b.t) {
+  k = edge(k, sign);
+  while (has_boundary(k, end, sign) && a.t < b.t) {
     if (k != followed && tracks_.any() && BoundaryTracks::is_path(*tracks_.slot_of(k, rising))) {
       const Reached reached = follow({k, a.t}, end, rising, a, b);
       followed = reached.k;
-      if (reached.k == end) return;
+      if (!has_boundary(reached.k, end, sign)) return;
       if (reached.t > a.t) a = level_dot(reached.t);
       k = reached.k;
     }
@@ -327,19 +353,19 @@ void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
     if (!is_beyond(c, at_c)) {
       chord_ = std::min(width + width / 4 + 1, longest_half);
     } else if (width == 1) {  // all boundaries between them are one
-      const std::int32_t before = k;
+      int passed = 0;
       do {
-        k += sign;
-        bar += bar_step;
-        at_c = lead_c.of(bar);
+        ++passed;
+        k = edge(k + sign, sign);
+        at_c = lead_c.of(bars_.at(k));
       } while (is_beyond(c, at_c));
       painter_.change(line_.middle() + c.t, k - sign - below);
-      if (k - before == sign) chord_ = 2;
+      if (passed == 1) chord_ = 2;
     } else if (is_crowded(lead_c, bar, width)) {
       chord_ = 1;
       continue;
-    } else if (c.s / 2 > a.s) {  // from a limb, where s^2 is about linear: as far as it is not twice as large
-      const std::int32_t ratio = std::min<std::int32_t>(c.s / std::max<std::int32_t>(a.s, 1), 64);
+    } else if (const std::int32_t ratio = Parts::growth(a, c); ratio > 1) {
+      // From a limb, where s^2 is about linear: as far as it is not twice as large.
       chord_ = std::max<std::int32_t>(width / (ratio * ratio), 1);
       continue;
     } else {
@@ -357,8 +383,8 @@ void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
       for (;;) {
         painter_.change(middle + boundary(k, rising, a.t, width, place), k - below);
         if (place.error < coarse) tracks_.begin(k, rising, a.t * (1 << 16) + place.at);
-        k += sign;
-        bar += bar_step;
+        k = edge(k + sign, sign);
+        bar = bars_.at(k);
         at_c = lead_c.of(bar);
         if (!is_beyond(c, at_c)) break;
         place = chord.place(bar, lead_a.of(bar), at_c);
@@ -417,11 +443,27 @@ void trace_line(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32
   SpanTracer<Parts, RunPainter>(job, line, y, x0).run(x0, x1);
 }
 
+// A face with a shear may be seen in several spans of a line, each near a plane of its own. The forms of the span before lie in the face's
+// block, which has no tracks then, if they fit.
+void exchange_forms(FaceContours& face) {
+  GeneralContours& general = face.general;
+  if (face.kind != ContourKind::general || face.block.size_bytes() < sizeof(SectionForms)) return;
+  const SectionForms last = general.forms;
+  const std::span<std::byte> store = std::as_writable_bytes(face.block).first<sizeof last>();
+  if (general.has_other) std::ranges::copy(store, std::as_writable_bytes(std::span(&general.forms, 1)).begin());
+  std::ranges::copy(std::as_bytes(std::span(&last, 1)), store.begin());
+  general.has_other = true;
+  general.other_is_sheared = last.shear.bits != 0;
+}
+
 void trace_root(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
-  SectionForms& forms = job.contours->general.forms;
+  GeneralContours& general = job.contours->general;
+  SectionForms& forms = general.forms;
+  if (!forms.holds(y, x0, x1) && (forms.shear.bits != 0 || general.has_other)) exchange_forms(*job.contours);
   if (!forms.holds(y, x0, x1)) {
     forms.cover(job, y, x0, x1);
-    job.contours->general.strip.drop();
+    general.strip.drop();
+    general.has_other = general.has_other && (forms.shear.bits != 0 || general.other_is_sheared);
   }
   if (!is_dark(job, y)) return trace_line<RootParts>(job, y, x0, x1);
   job.painter.fill(x0, x1, job.table.ambient_level);

@@ -20,17 +20,44 @@ std::uint64_t second_difference(std::int64_t v2, std::int32_t h) {
 
 }  // namespace
 
-LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error) {
-  const ShortDot dot = line.dot(at);
-  t = at;
+namespace {
+
+// | |a| - |b| | <= |a^2 - b^2| / |a|; 2^18 > square_error.
+std::int32_t error_of_root(std::int32_t square_error, std::int32_t n) {
+  return (square_error << 12) / std::max<std::int32_t>(n >> 16, 1) + 4;
+}
+// And at most the root of |a^2 - b^2|: 2^27, as the error is at most 2^26, in units of 2^28.
+std::int32_t wide_error_of_root(std::int32_t square_error, std::int32_t n) {
+  if (square_error >> 18 == 0) return error_of_root(square_error, n);
+  return (std::min<std::int32_t>((((square_error >> 8) + 1) << 12) / std::max<std::int32_t>(n >> 16, 1), 1 << 19) + 1)
+         << 8;
+}
+
+}  // namespace
+
+[[gnu::always_inline]] inline void LevelDot::set(const ShortDot& dot, std::int32_t of_n, std::int32_t bar_error) {
   s = dot.s;
   r = dot.r;
   l = std::clamp(dot.l >> 1, -largest / 2, largest / 2);
-  n = short_root(std::max<std::int32_t>(dot.square, 1));
   root_error = dot.root_error;
-  // | |a| - |b| | <= |a^2 - b^2| / |a|
-  normal_error = (dot.square_error << 12) / std::max<std::int32_t>(n >> 16, 1) + 4;
+  normal_error = of_n;
   error = ((dot.light_error + normal_error + bar_error) >> 1) + 3;
+}
+
+LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error) : t(at) {
+  if (line.is_sheared()) {
+    set_sheared(line, bar_error);
+  } else {
+    const ShortDot dot = line.plain_dot(at);
+    n = short_root(std::max<std::int32_t>(dot.square, 1));
+    set(dot, error_of_root(dot.square_error, n), bar_error);
+  }
+}
+
+[[gnu::noinline]] void LevelDot::set_sheared(const LineSection& line, std::int32_t bar_error) {
+  const ShortDot dot = line.sheared_dot(t);
+  n = short_root(std::max<std::int32_t>(dot.square, 1));
+  set(dot, wide_error_of_root(dot.square_error, n), bar_error);
 }
 
 // What taking the middle leaves out of F, where |ds| <= (s_a + s_b) / 5, |E| <= (s_a + s_b) / 32, and so for n and J:
@@ -39,7 +66,8 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
 //   of u (1-u) J     r times that; r's change, |dr| |E| / 16; r's errors of 16 units in dr ds and r E, and the roots' in dr ds
 //   of u (1-u) J/2A  that over 2A >= 4/5 (n_a + n_b); |J/2A| (|dn| + 2 |J/2A|) / 8 (n_a + n_b), the last from the root's series;
 //                    a quarter of what dn^2 errs by, 2 (|dn| + normal_error) 2 normal_error
-LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : width_(b.t - a.t) {
+template <bool is_sheared>
+[[gnu::always_inline]] inline void LevelChord::set(const LineSection& line, const LevelDot& a, const LevelDot& b) {
   const std::int32_t ds = b.s - a.s;
   const std::int32_t dn = b.n - a.n;
   const std::uint32_t s_sum = static_cast<std::uint32_t>(a.s) + static_cast<std::uint32_t>(b.s);
@@ -52,25 +80,37 @@ LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDo
   const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_));
   if (!s.divides(bend)) return;
   const std::int32_t e = s.quotient(bend);
+  // Of sigma.
+  const int bits = is_sheared ? line.forms().shear.bits : 0;
+  std::int32_t d_sigma = ds;
+  std::int32_t e_sigma = e;
+  if constexpr (is_sheared) {
+    const std::int64_t change = line.sigma(b.t, b.s) - line.sigma(a.t, a.s);
+    if ((size(e) | root_error) >> (30 - bits) != 0 || magnitude(change) >> 31 != 0) return;
+    d_sigma = static_cast<std::int32_t>(change);
+    e_sigma = e * (1 << bits);
+  }
   const std::int32_t r = (a.r >> 1) + (b.r >> 1);
   const std::int32_t dr = difference(b.r, a.r);
-  const auto bulge = static_cast<std::int64_t>(second_difference(line.forms().q.xx, width_) + product(dr, ds) -
-                                               product(dn, dn) - product(r, e));
+  const auto bulge = static_cast<std::int64_t>(second_difference(line.forms().q.xx, width_) + product(dr, d_sigma) -
+                                               product(dn, dn) - product(r, e_sigma));
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
 
-  const std::uint32_t change = size(ds) + size(e);
-  const std::uint32_t e_left = s.eighth_part(size(e), change) + (size(e) >> 15) + root_error / 2 + 4;
-  const auto bulge_left =
-      static_cast<std::int64_t>(std::uint64_t{size(dr)} * (size(e) / 16 + root_error / 2 + 1) +
-                                (std::uint64_t{size(r)} + size(dr)) * e_left + std::uint64_t{change} * 8);
+  const std::uint32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
+  if (is_sheared && e_left >> (30 - bits) != 0) return;
+  const std::uint32_t sigma_left = e_left << bits;
+  const std::uint32_t sigma_error = root_error << bits;
+  const auto bulge_left = static_cast<std::int64_t>(
+      std::uint64_t{size(dr)} * (size(e_sigma) / 16 + sigma_error / 2 + 1) +
+      (std::uint64_t{size(r)} + size(dr)) * sigma_left + std::uint64_t{size(d_sigma) + size(e_sigma)} * 8);
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.forms().m;
-  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 31);
+  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e_sigma >> 31);
   normal_bow_ = j;
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
                                     n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
-  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
+  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * sigma_left >> 30);
   keep(std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9));
 }
 
@@ -79,6 +119,18 @@ void LevelChord::keep(std::int32_t error) {
   if (error_ > 1 << 26) return;
   wide_error_ = static_cast<std::uint32_t>(error_ + error_ / 4 + 1);
   least_ = std::max<std::uint32_t>(32 * static_cast<std::uint32_t>(error_), 1 << 16);
+}
+
+LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : width_(b.t - a.t) {
+  if (line.is_sheared()) {
+    set_sheared(line, a, b);
+  } else {
+    set<false>(line, a, b);
+  }
+}
+
+[[gnu::noinline]] void LevelChord::set_sheared(const LineSection& line, const LevelDot& a, const LevelDot& b) {
+  set<true>(line, a, b);
 }
 
 }  // namespace halfspace

@@ -38,6 +38,10 @@ struct LevelDot {
   [[nodiscard]] std::int32_t above(std::uint32_t bar) const { return Lead{l, n}.of(bar); }
   // By `sign` -1, of -F.
   [[nodiscard]] Lead lead(std::int32_t sign) const { return {sign * l, sign * n}; }
+
+ private:
+  void set(const ShortDot& dot, std::int32_t of_n, std::int32_t bar_error);
+  void set_sheared(const LineSection& line, std::int32_t bar_error);
 };
 
 // In dots right of the chord's left end, 16 bits of fraction; `error` is LevelPlace::unknown where nothing is known.
@@ -90,6 +94,10 @@ class LevelChord {
   }
 
  private:
+  template <bool is_sheared>
+  void set(const LineSection& line, const LevelDot& a, const LevelDot& b);
+  void set_sheared(const LineSection& line, const LevelDot& a, const LevelDot& b);
+
   [[nodiscard]] std::int32_t bow(std::uint32_t bar) const {
     return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar));
   }

@@ -47,7 +47,7 @@ struct ShortDot {
 
 class LineSection {
  public:
-  // One line of the block; `forms` outlive the section.
+  // One line of the block; both outlive the section.
   LineSection(const SectionForms& forms, const LineForms& line);
 
   [[nodiscard]] std::int32_t middle() const { return forms_.middle; }
@@ -62,6 +62,11 @@ class LineSection {
     return (41 << 20) / std::max<std::int32_t>(s >> 8, 409) + 8;
   }
   [[nodiscard, gnu::always_inline]] ShortDot dot(std::int32_t t) const {
+    if (is_sheared()) return sheared_dot(t);
+    return plain_dot(t);
+  }
+  // Without a shear; with one.
+  [[nodiscard, gnu::always_inline]] ShortDot plain_dot(std::int32_t t) const {
     ShortDot dot;
     dot.s = root(t);
     dot.r = r_.linear(tau(t));
@@ -89,9 +94,16 @@ class LineSection {
   }
 
   [[nodiscard]] const SectionForms& forms() const { return forms_; }
+  [[nodiscard]] ShortDot sheared_dot(std::int32_t t) const;
+  [[nodiscard]] bool is_sheared() const { return forms_.shear.bits != 0; }
+  // Of a sheared block, from s at dot t.
+  [[nodiscard]] std::int64_t sigma(std::int32_t t, std::int32_t s) const {
+    return Shear::sigma(on_line_.plane, forms_.shear.bits, t, s);
+  }
 
  private:
   const SectionForms& forms_;
+  const LineForms& on_line_;
   int tau_shift_;
   ShortPolynomial d_, q_, r_, l_;
 };

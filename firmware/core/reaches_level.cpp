@@ -24,11 +24,12 @@ LitDot root_dot(const RootSurface& s, std::int32_t x, std::int32_t y) {
   const int half = s.discriminant.exponent / 2;
   const int light = s.light.exponent;
   const int square = s.square.exponent;
+  const int of_root = s.square_root.exponent;
   const Real root = Real(s.discriminant.at(x, y), 2 * half, rounding(half > 0, quadratic_error_bits)).root();
   return {Real(s.light.at(x, y), light, rounding(light > 0, linear_error_bits)) +
               Real(s.light_root, light - half, rounding(light > half, 0)) * root,
           Real(s.square.at(x, y), square, rounding(square > 0, quadratic_error_bits)) +
-              Real(s.square_root.at(x, y), square - half, rounding(square > half, linear_error_bits)) * root};
+              Real(s.square_root.at(x, y), of_root - half, rounding(of_root > half, linear_error_bits)) * root};
 }
 
 LitDot quotient_dot(const ShadeJob& job, std::int32_t x, std::int32_t y) {

@@ -9,6 +9,8 @@
 //   positive factors,
 //     w_AA,  w_AT,  w_TT + (P + s_a s_b) w_AB,  w_TB,  w_BB
 //   It has no more roots between a and b than these have changes of sign, and as many or an even number fewer.
+// Shear   With sigma in place of s (section_forms.hpp) w = alpha + beta plane + beta sigma: then alpha and beta are computed in 60 bits from
+//         the forms as they were, since they cancel three times over, and cut when they have. The poles keep s.
 // Units   tau = t 2^-half_bits in [-1, 1]; every quantity has 30 bits of fraction.
 // Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within form_error + the root's (ridge_form.cpp).
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
@@ -23,10 +25,10 @@ namespace halfspace {
 
 // A dot of the section as the form needs it.
 struct RidgeDot {
-  std::int32_t tau, s;
+  std::int32_t tau, s, sigma;
   std::int32_t beta;  // at tau
   std::int32_t w;
-  std::int32_t error;  // of s
+  std::int32_t error;  // of sigma, and what w errs by beside form_error (ridge_form.cpp)
   // Of dI/dx: -1, 0 for unsure, 1.
   [[nodiscard]] int sign() const;
 };
@@ -38,6 +40,7 @@ enum class Course : std::uint8_t { unsure, rising, falling, ridge };
 
 class RidgeForm {
  public:
+  // Both outlive it.
   RidgeForm(const SectionForms& forms, const LineForms& line);
 
   [[nodiscard]] RidgeDot at(std::int32_t t) const;
@@ -45,9 +48,14 @@ class RidgeForm {
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
  private:
-  LinePolynomial discriminant_;
-  std::int32_t deep_from_, limb_root_error_;
-  int tau_shift_, root_shift_;
+  void load();
+  void load_sheared();
+  [[gnu::noinline]] void shear(RidgeDot& p, std::int32_t t) const;
+
+  const SectionForms& forms_;
+  const LineForms& line_;
+  int tau_shift_, root_shift_, shear_bits_;
+  std::int32_t extra_error_ = 0;
   std::int32_t d_[3], alpha_[3], beta_[2];
 };
 

@@ -132,7 +132,8 @@ class SpanShader {
     const LineQuadratic q(f.square, x, y);
     const Wide<128> r = f.square_root.at(x, y);
     const Wide<128> r_end = f.square_root.at(x + n_, y);
-    const int r_bits = std::max(r.bit_length(), r_end.bit_length()) + root_shift + square_bits / 2;
+    const int r_shift = root_shift - f.square_root_fraction();  // of r s from a unit of |N|^2
+    const int r_bits = std::max(r.bit_length(), r_end.bit_length()) + r_shift + square_bits / 2;
     int square_shift = std::max(q.bits(n_), r_bits) + 1 - square_bits;
     if (f.square.exponent > 0) square_shift = std::max(square_shift, quadratic_error_bits);
     // L / (|N| 2^light_bits) must come out as in LevelTable: twice light's scale is square's.
@@ -141,8 +142,8 @@ class SpanShader {
     // The factors of s, too, may have been rounded: by 1 and by 2^linear_error_bits, times s 2^root_shift.
     const int half_exponent = f.discriminant.exponent / 2;
     if (f.light.exponent > half_exponent) square_shift = std::max(square_shift, 2 * (root_shift + 30) - balance);
-    if (f.square.exponent > half_exponent) {
-      square_shift = std::max(square_shift, root_shift + 30 + linear_error_bits - 31);
+    if (f.square_root.exponent > half_exponent) {
+      square_shift = std::max(square_shift, r_shift + 30 + linear_error_bits - 31);
     }
     // |L| <= |light| |N| keeps l and m s under 2^31 as a rule; where N is nearly 0, or the line's end lies outside, this does.
     const Wide<128> l = f.light.at(x, y);
@@ -159,8 +160,8 @@ class SpanShader {
            scaled(q.v, square_shift),
            scaled(q.d1, square_shift),
            scaled(q.d2, square_shift),
-           scaled(r, square_shift - root_shift - root_fraction),
-           scaled(f.square_root.q[0], square_shift - root_shift - root_fraction),
+           scaled(r, square_shift - r_shift - root_fraction),
+           scaled(f.square_root.q[0], square_shift - r_shift - root_fraction),
            scaled(l, light_shift - light_fraction),
            scaled(f.light.q[0], light_shift - light_fraction),
            scaled(f.light_root, light_shift - root_shift - 30)};

@@ -79,7 +79,9 @@ class Maker {
     s.light_root = shifted(light.v, light_exponent - half);
     const int square_exponent = std::max(0, std::max(bits(square), bits(square_root) + root_bits) - value_bits);
     scale_to(s.square, square, square_exponent);
-    scale_to(s.square_root, square_root, square_exponent, square_exponent - half);
+    // Its values have fewer bits: it is rounded less, if at all.
+    const int root_exponent = std::min(square_exponent, half + std::max(0, bits(square_root) - value_bits));
+    scale_to(s.square_root, square_root, root_exponent, root_exponent - half);
   }
 
   [[nodiscard]] Component normal(const std::array<Wide<128>, 4>& row) const {

@@ -1,6 +1,9 @@
 // section_forms.hpp - a root face's forms about a block of dots in 64 bits: rounded once for the block, so that each of its scan
 // lines costs a few products.
 //   L = l + m s,  |N|^2 = q + r s,  s = sqrt(D);  D and q quadratic, l and r linear in t and v, dot and line counted from the middle.
+// Shear   Where a line of sight runs nearly along the face's asymptotic cone, l and m s are large and their sum is not. There s is told from a
+//         plane that is near it on the block: L = l + m sigma, |N|^2 = q + r sigma, sigma = (s - plane) 2^bits, with l and q that have taken in
+//         m and r times the plane, exactly.
 // Ranges  D < 2^59 and |N|^2 < 2^59, q and r 2^30 < 2^58, |L| < 2^31 on the whole block; level k is reached when L > 0 and
 //         L^2 >= squares[k] |N|^2 / 2^32.
 // Errors  A coefficient is rounded down to a unit, so a quadratic's value is off by less than (|t| + |v| + 1)^2, and by 1 more where
@@ -54,11 +57,42 @@ struct BlockLinear {
   [[nodiscard]] LinePolynomial on(std::int32_t v) const { return {plus_product(c, v, y), x, 0}; }
 };
 
+// sigma = (s - plane) 2^bits; plane has 20 bits of fraction. Without bits there is none: sigma is s.
+struct Shear {
+  BlockLinear plane;
+  int bits = 0;
+
+  static constexpr int fraction = 20, most_bits = 9;
+
+  // From s at dot t of a line with such a plane.
+  [[nodiscard]] static std::int64_t sigma(const LinePolynomial& plane, int bits, std::int32_t t, std::int32_t s) {
+    return (std::int64_t{s} * (1 << fraction) - plane.linear(t)) >> (fraction - bits);
+  }
+};
+
+// s and sigma at a dot of a sheared block; too far from the plane for words where |sigma| is 2^30 or more.
+struct ShearedRoot {
+  std::int32_t s;
+  std::int64_t sigma;
+  std::int32_t error;  // of sigma
+  [[nodiscard]] bool is_far() const { return magnitude(sigma) >> 30 != 0; }
+};
+
+// What L and |N|^2 are by a root.
+struct RootForms {
+  BlockQuadratic q;
+  BlockLinear r, l;    // 32 and light_fraction bits of fraction
+  std::int32_t m = 0;  // 30 bits of fraction
+};
+
 // The forms on one line.
 struct LineForms {
   LinePolynomial d, q, r, l;
   std::int32_t m;
   int half_bits;
+  std::int32_t v;  // the line
+  int shear_bits;
+  LinePolynomial plane;  // of the shear
 };
 
 // What a dot may be off by: s, L, and |N|^2 in units of 2^16.
@@ -66,10 +100,11 @@ struct SectionErrors {
   std::int32_t root = 0, light = 0, square = 0;
 };
 
-struct SectionForms {
-  BlockQuadratic d, q;
-  BlockLinear r, l;                             // 32 and light_fraction bits of fraction
-  std::int32_t m = 0;                           // 30 bits of fraction
+// By sigma.
+struct SectionForms : RootForms {
+  BlockQuadratic d;
+  Shear shear;
+  RootForms by_root;                            // without the shear; if there is one
   std::int32_t x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // the block, on the page: y0 <= y < y1
   std::int32_t middle = 0, line = 0;            // where t and v are 0
   std::int32_t half = 0;                        // |t| <= half; 0: nothing is known yet
@@ -89,14 +124,25 @@ struct SectionForms {
   void cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to);
   [[nodiscard]] LineForms on(std::int32_t y) const {
     const std::int32_t v = y - line;
-    return {d.on(v), q.on(v), r.on(v), l.on(v), m, half_bits};
+    return {d.on(v), q.on(v),    r.on(v),
+            l.on(v), m,          half_bits,
+            v,       shear.bits, shear.bits == 0 ? LinePolynomial{} : shear.plane.on(v)};
   }
+  // At dot t of a line, where there is a shear.
+  [[nodiscard]] ShearedRoot sheared_root(const LinePolynomial& d_on, const LinePolynomial& plane_on,
+                                         std::int32_t t) const;
   // Whether a dot of the block reaches a level, by its entry in LevelTable::squares.
   [[nodiscard]] Answer reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const;
 
  private:
-  void load(const RootSurface& f, int light_bits, std::int32_t lines, std::int32_t x, std::int32_t y);
-  [[nodiscard]] SectionErrors errors_for(std::int32_t root_error) const;
+  struct Box {
+    std::int32_t left, right, y, lines;  // half of its lines
+  };
+  // For the shear, dots from .. to of its first line tell.
+  void cover(const ShadeJob& job, const Box& box, std::int32_t from, std::int32_t to);
+  void load(const ShadeJob& job, std::int32_t lines, std::int32_t from, std::int32_t to);
+  [[nodiscard]] bool cancels(std::int32_t v, std::int32_t from, std::int32_t to) const;
+  [[nodiscard]] SectionErrors errors_for(std::int32_t root_error, std::int32_t of_m) const;
 };
 
 }  // namespace halfspace

@@ -20,8 +20,10 @@ bool put(T& out, const Real& value, int bits, std::int64_t error = 2) {
   return value.error_of(bits) <= error;
 }
 
-bool all_zero(std::span<const Wide<128>> coefficients) {
-  return std::all_of(coefficients.begin(), coefficients.end(), [](const Wide<128>& c) { return c.is_zero(); });
+// But for so many bits of fraction.
+bool all_zero(std::span<const Wide<128>> coefficients, int fraction) {
+  return std::all_of(coefficients.begin(), coefficients.end(),
+                     [&](const Wide<128>& c) { return (c >> fraction).is_zero(); });
 }
 
 // The chord of line y: D = -d0 (rho^2 - (x - centre)^2), and 4 d0^2 rho^2 = e2 y^2 + e1 y + e0.
@@ -56,8 +58,8 @@ Real square_of(const RootSurface& s, const Outline& o) {
 
 // |N| constant, but for what its own rounding hides, and D and the light exact.
 bool has_constant_normal(const RootSurface& s) {
-  return s.discriminant.exponent == 0 && s.light.exponent == 0 && all_zero(std::span(s.square.q).first<5>()) &&
-         all_zero(s.square_root.q) && s.discriminant.q[0].negative();
+  return s.discriminant.exponent == 0 && s.light.exponent == 0 && all_zero(std::span(s.square.q).first<5>(), 0) &&
+         all_zero(s.square_root.q, s.square_root_fraction()) && s.discriminant.q[0].negative();
 }
 
 bool make_sphere(const ShadeJob& job, SphereContours& out) {

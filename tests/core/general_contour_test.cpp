@@ -41,6 +41,7 @@ class Canvas {
       shade_span(job, Shader::isqrt, line, dots.x0, dots.x1);
     });
   }
+  [[nodiscard]] bool is_sheared() const { return contours_.general.forms.shear.bits != 0; }
   // From now on, what contours know of a face serves its next lines.
   void keep() { keeps_ = true; }
   template <class Shade>
@@ -222,6 +223,18 @@ TEST(GeneralContour, DegenerateQuotients) {
   EXPECT_GT(tally.dots, 40000U);
 }
 
+// Hyperboloids seen nearly along their asymptotic cone, where N is a small difference of large terms.
+TestFace asymptotic_face(Dice& dice, std::int32_t width, const Lighting& lighting) {
+  std::array<mpz_class, 10> c;
+  for (std::size_t i = 0; i < 6; ++i) c[i] = between(dice, -(1 << 20), 1 << 20);
+  c[2] >>= static_cast<unsigned>(between(dice, 0, 20));
+  if (c[2] == 0) c[2] = 1;
+  const std::int64_t radius = between(dice, 1, width);
+  c[9] = mpz_class(static_cast<long>(between(dice, -(1 << 20), 1 << 20))) * static_cast<long>(radius * radius);
+  return make_face(FaceKind::root, c, {between(dice, 0, width), between(dice, 0, width), 0}, dice() % 2 == 0 ? 1 : -1,
+                   dice() % 2 == 0 ? 1 : -1, 0, lighting);
+}
+
 // Line after line, in one span or two: forms made for a block of lines serve all of them.
 TEST(GeneralContour, EveryLineOfAFace) {
   Dice dice(38);
@@ -229,9 +242,10 @@ TEST(GeneralContour, EveryLineOfAFace) {
   for (int trial = 0; trial < 225; ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 400 : between(dice, 8, 100));
     const Lighting lighting = random_lighting(dice);
-    const TestFace face = trial % 2 == 0 ? quotient_face(dice, width, true, lighting)
-                                         : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
-                                                      between(dice, 1, width), lighting);
+    const TestFace face = trial % 2 == 0   ? quotient_face(dice, width, true, lighting)
+                          : trial % 3 == 0 ? asymptotic_face(dice, width, lighting)
+                                           : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
+                                                        between(dice, 1, width), lighting);
     const std::int32_t levels = random_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, width);
     if (face.active.kind == FaceKind::plane || exact == nullptr) continue;
@@ -249,6 +263,32 @@ TEST(GeneralContour, EveryLineOfAFace) {
     }
   }
   EXPECT_GT(dots, 200000U);
+}
+
+TEST(GeneralContour, LinesOfSightNearAnAsymptote) {
+  Dice dice(39);
+  std::uint64_t dots = 0;
+  std::uint64_t sheared = 0;
+  for (int trial = 0; trial < trials(600); ++trial) {
+    const auto width = static_cast<std::int32_t>(trial % 40 == 0 ? 400 : between(dice, 8, 150));
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face = asymptotic_face(dice, width, lighting);
+    const std::int32_t levels = random_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, width);
+    if (face.active.kind != FaceKind::root || exact == nullptr) continue;
+    Canvas canvas(lighting, levels, width);
+    canvas.keep();
+    for (std::int32_t y = 0; y < width; ++y) {
+      for (const DotRun& run : runs_of(face, y, width)) {
+        ASSERT_EQ(canvas.contour(face, *exact, y, run).levels, canvas.dots(face, *exact, y, run).levels)
+            << "trial " << trial << " dots " << run.x0 << ".." << run.x1 << " line " << y;
+        dots += static_cast<std::uint64_t>(run.x1 - run.x0 + 1);
+        if (canvas.is_sheared()) sheared += static_cast<std::uint64_t>(run.x1 - run.x0 + 1);
+      }
+    }
+  }
+  EXPECT_GT(dots, 100000U);
+  EXPECT_GT(sheared, 10000U);
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
@@ -377,12 +417,13 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
   Dice dice(37);
   ChordTally roots;
   ChordTally quotients;
-  for (int trial = 0; trial < 8000; ++trial) {
+  for (int trial = 0; trial < 12000; ++trial) {
     const std::int32_t width = trial % 8 < 2 ? 1000 : 200;
     const Lighting lighting = random_lighting(dice);
-    const TestFace face = trial % 2 == 0 ? quotient_face(dice, width, true, lighting)
-                                         : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
-                                                      between(dice, width / 8, width), lighting);
+    const TestFace face = trial % 2 == 0   ? quotient_face(dice, width, true, lighting)
+                          : trial % 3 == 0 ? asymptotic_face(dice, width, lighting)
+                                           : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
+                                                        between(dice, width / 8, width), lighting);
     const std::int32_t levels = random_levels(dice);
     const ExactModule* exact = exact_for({&face}, lighting, levels, width);
     const bool is_root = face.active.kind == FaceKind::root;
@@ -399,7 +440,8 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
           SectionForms& forms = job.contours->general.forms;
           forms.cover(job, line_y, dots.x0, dots.x1);
           if (forms.may_be_dark) return;
-          const LineSection line(forms, forms.on(line_y));
+          const LineForms on_line = forms.on(line_y);
+          const LineSection line(forms, on_line);
           expect_chord_holds<LevelDot, LevelChord>(job, line, row, {from, to}, roots);
         } else {
           QuotientForms forms{};
