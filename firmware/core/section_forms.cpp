@@ -151,7 +151,7 @@ WideForms<256> sheared(const WideForms<128>& w, const BlockLinear& plane, int ro
 }
 
 // Through s at both ends of a line's span and its middle and, down the block, as that goes; such that what s has beside it there, and half
-// of the block down, takes half the words' range. Elsewhere it may take more (LineForms::sigma).
+// of the block down, takes half the words' range. Elsewhere it may take more (ShearedRoot).
 Shear shear_for(const BlockQuadratic& d, std::int32_t lines, std::int32_t from, std::int32_t to) {
   constexpr std::int64_t unit = 1 << Shear::fraction;
   const LinePolynomial first = d.on(-lines);
