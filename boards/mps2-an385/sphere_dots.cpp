@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "boards/mps2-an385/any_quadric_dots.hpp"
 #include "boards/mps2-an385/baselines.hpp"
 #include "boards/mps2-an385/surface64.hpp"
@@ -23,7 +25,9 @@ bool is_constant(const RootSurface& f) {
   for (int i = 0; i < 5; ++i) {
     if (!f.square.q[static_cast<std::size_t>(i)].is_zero()) return false;
   }
-  return f.square_root.q == std::array<Wide<128>, 3>{};
+  const int fraction = f.square_root_fraction();
+  return std::all_of(f.square_root.q.begin(), f.square_root.q.end(),
+                     [&](const Wide<128>& c) { return (c >> fraction).is_zero(); });
 }
 
 Sphere Sphere::of(const ShadeJob& job) {

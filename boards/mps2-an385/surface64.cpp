@@ -33,15 +33,16 @@ Surface64 Surface64::of(const ShadeJob& job) {
   const int root_shift = (form_bits(f.discriminant, s.reach) - 60 + 1) >> 1;
   const int balance = f.square.exponent - 2 * f.light.exponent + 2 * job.table.light_bits;
   const int root_bits = 30 + root_shift;
+  const int r_shift = root_shift - f.square_root_fraction();
   const int light_terms = std::max(form_bits(f.light, s.reach), f.light_root.bit_length() + root_bits);
-  int square_shift = std::max(form_bits(f.square, s.reach) - 60, form_bits(f.square_root, s.reach) + root_bits - 58);
+  int square_shift = std::max(form_bits(f.square, s.reach) - 60, form_bits(f.square_root, s.reach) + r_shift + 30 - 58);
   square_shift = std::max(square_shift, 2 * (light_terms - 29) - balance);
   square_shift += (square_shift + balance) & 1;
   const int light_shift = (square_shift + balance) / 2;
 
   s.d = Quadratic64::of(f.discriminant, 2 * root_shift);
   s.q = Quadratic64::of(f.square, square_shift);
-  s.r = Linear32::of(f.square_root, square_shift - root_shift);
+  s.r = Linear32::of(f.square_root, square_shift - r_shift);
   s.l = Linear32::of(f.light, light_shift);
   s.m = static_cast<std::int32_t>(scaled(f.light_root, light_shift - root_shift - 32));
   const std::int64_t error = form_error(s.reach);
