@@ -22,24 +22,39 @@ double value_at(const Doubles& f, double x) {
   return value;
 }
 
+struct ValueAndSlope {
+  double value = 0, slope = 0;
+};
+
+ValueAndSlope value_and_slope_at(const Doubles& f, double x) {
+  ValueAndSlope at;
+  for (std::size_t i = f.count; i-- > 0;) {
+    at.slope = at.slope * x + at.value;
+    at.value = at.value * x + f.c[i];
+  }
+  return at;
+}
+
 Doubles slope_of(const Doubles& f) {
   Doubles d;
   for (std::size_t i = 1; i < f.count; ++i) d.push_back(f.c[i] * static_cast<double>(i));
   return d;
 }
 
-// A sign change in [low, high], by Newton's steps that are kept inside the halves.
-double bracketed_root(const Doubles& f, const Doubles& slope, double low, double high) {
+// A sign change in [low, high], by Newton's steps; by halving where one leaves the bracket or is more than half the step before. A step of
+// 2^-40 of x leaves no more than rounding does.
+double bracketed_root(const Doubles& f, double low, double high, bool rising) {
   constexpr int most_steps = 200;
-  const bool rising = value_at(f, low) < 0;
   double x = low + (high - low) / 2;
-  for (int step = 0; step < most_steps; ++step) {
-    const double value = value_at(f, x);
+  double last_step = high - low;
+  for (int i = 0; i < most_steps; ++i) {
+    const auto [value, slope] = value_and_slope_at(f, x);
     if (value == 0) return x;
     ((value < 0) == rising ? low : high) = x;
-    double next = x - value / value_at(slope, x);
-    if (!(next > low && next < high) || step % 4 == 3) next = low + (high - low) / 2;
-    if (std::abs(next - x) <= std::abs(x) * 0x1p-52 || next == low || next == high) return next;
+    double next = x - value / slope;
+    if (!(next > low && next < high) || std::abs(next - x) > last_step / 2) next = low + (high - low) / 2;
+    last_step = std::abs(next - x);
+    if (last_step <= std::abs(x) * 0x1p-40) return next;
     x = next;
   }
   return x;
@@ -58,14 +73,16 @@ Doubles guesses_of_second_order(const Doubles& f) {
 // Guesses at the real roots within +-bound: between two extrema a polynomial is monotone.
 Doubles guesses(const Doubles& f, double bound) {
   if (f.count == 3) return guesses_of_second_order(f);
-  const Doubles slope = slope_of(f);
-  const Doubles turns = guesses(slope, bound);
+  const Doubles turns = guesses(slope_of(f), bound);
   Doubles roots;
   double low = -bound;
+  bool below = value_at(f, low) < 0;
   for (std::size_t i = 0; i <= turns.count; ++i) {
     const double high = i < turns.count ? turns.c[i] : bound;
-    if ((value_at(f, low) < 0) != (value_at(f, high) < 0)) roots.push_back(bracketed_root(f, slope, low, high));
+    const bool next_below = value_at(f, high) < 0;
+    if (below != next_below) roots.push_back(bracketed_root(f, low, high, below));
     low = high;
+    below = next_below;
   }
   return roots;
 }

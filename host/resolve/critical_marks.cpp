@@ -16,24 +16,32 @@ Polynomial crossing_lines(const Curve& line, const Curve& p) {
   return sgn(line.q[3]) == 0 ? turning_lines(line) : meeting_lines(line, p);
 }
 
+// A conic that meets a curve, and a polynomial in y that vanishes where they meet.
+struct ConicMeeting {
+  Curve conic;
+  Polynomial lines;
+};
+
 // Where a quartic P^2 = R^2 d meets a section line^2 = factor^2 d: on one of the conics factor P = +-R line, so that nothing above
 // degree four is needed. Nothing if such a conic holds the section.
-std::optional<std::vector<Polynomial>> meeting_with_section(const TracedQuartic& quartic, const TracedCurve& traced) {
+std::optional<std::vector<ConicMeeting>> meeting_with_section(const TracedQuartic& quartic, const TracedCurve& traced) {
   if (!quartic.radical || !traced.section) return std::nullopt;
   const Curve first = traced.section->factor * quartic.radical->p;
   const Curve second = product_of_lines(quartic.radical->r, traced.section->line);
-  std::vector<Polynomial> lines;
+  std::vector<ConicMeeting> meetings;
   for (const Curve& conic : {first - second, first + second}) {
     if (is_zero(conic)) return std::nullopt;
     if (is_constant(conic)) continue;
     const bool without_x = sgn(conic.q[0]) == 0 && sgn(conic.q[1]) == 0 && sgn(conic.q[3]) == 0;
-    lines.push_back(without_x ? turning_lines(conic) : meeting_lines(conic, traced.curve));
-    if (lines.back().empty()) continue;  // the section has no x: its turning lines hold all its points
-    if (degree(lines.back()) < 0) return std::nullopt;
+    meetings.push_back({conic, without_x ? turning_lines(conic) : meeting_lines(conic, traced.curve)});
+    if (meetings.back().lines.empty()) continue;  // the section has no x: its turning lines hold all its points
+    if (degree(meetings.back().lines) < 0) return std::nullopt;
     if (is_zero(second)) break;
   }
-  return lines;
+  return meetings;
 }
+
+bool is_limb(const TracedCurve& traced) { return traced.section && is_zero(traced.section->line); }
 
 class Search {
  public:
@@ -47,10 +55,17 @@ class Search {
 
   void add_meeting(const TracedCurve& p, const TracedCurve& q) {
     const auto lines = lines_through_meeting(p, q);
-    if (!lines) return add_strips(p, q);
+    if (!lines) return add_strips(p.enclosed, q.enclosed, meeting_lines(p.curve, q.curve));
     const TracedCurve& other = p.enclosed.is_line ? q : p;
     for (const Curve& line : *lines) {
       if (!is_constant(line)) add_points(line, other, [&] { return crossing_lines(line, other.curve); });
+    }
+  }
+
+  // Of two curves that meet where the polynomial vanishes: those of its marks whose strip holds a piece of both on the face.
+  void add_strips(const IntervalCurve& p, const IntervalCurve& q, const Polynomial& polynomial) {
+    for (const Mark mark : root_marks(polynomial, y0_, y1_)) {
+      if (may_meet_within(p, q, lines_of(mark))) marks_.push_back(mark);
     }
   }
 
@@ -93,14 +108,6 @@ class Search {
                       [&y](const Interval& near) { return !(near.high < y.low || near.low > y.high); })) {
         marks_.push_back(mark);
       }
-    }
-  }
-
-  // Of two curves without a known line through their points: those marks whose strip holds a piece of both on the face.
-  void add_strips(const TracedCurve& p, const TracedCurve& q) {
-    for (const Mark mark : root_marks(meeting_lines(p.curve, q.curve), y0_, y1_)) {
-      const Interval y = lines_of(mark);
-      if (may_meet_within(p.enclosed, q.enclosed, y)) marks_.push_back(mark);
     }
   }
 
@@ -147,8 +154,15 @@ std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector
     const QuarticForm& quartic = quartics[i].curve;
     search.add(table.turns(quartic));
     for (const TracedCurve& other : curves) {
-      if (const auto lines = meeting_with_section(quartics[i], other)) {
-        for (const Polynomial& where : *lines) search.add_all(where);
+      if (const auto found = meeting_with_section(quartics[i], other)) {
+        for (const ConicMeeting& meeting : *found) {
+          if (is_limb(
+                  other)) {  // also off the face: there a root passes from sheet to sheet, and the next is renumbered
+            search.add_all(meeting.lines);
+          } else {
+            search.add_strips(interval_curve(meeting.conic), other.enclosed, meeting.lines);
+          }
+        }
       } else {
         search.add(table.meetings(quartic, as_quartic(other.curve)));
       }

@@ -17,8 +17,6 @@ long exponent_of(const Curve& p) {
 
 long exponent_of(const Surface& s) { return std::max({exponent_of(s.a), exponent_of(s.b), exponent_of(s.c)}); }
 
-Interval exactly(double v) { return {v, v}; }
-
 // q / 2^exponent, truncated: relative error below 2^-52.
 double rounded(const mpz_class& q, long exponent) {
   long own = 0;
@@ -54,36 +52,116 @@ Interval EnclosedCurve::over(const Box& box) const {
   return {centre - radius, centre + radius};
 }
 
-EnclosedLine::EnclosedLine(const Curve& p, long exponent) {
-  for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = rounded(p.q[3 + i], exponent);
+QuadraticOnLine EnclosedCurve::on_line(double y) const {
+  const double size = std::abs(y);
+  return {q_[0], q_[1] * y + q_[3], (q_[2] * y + q_[4]) * y + q_[5], std::abs(q_[1]) * size + std::abs(q_[3]),
+          (std::abs(q_[2]) * size + std::abs(q_[4])) * size + std::abs(q_[5])};
 }
 
-// Rounding as above, with fewer terms.
-Interval EnclosedLine::over(const Box& box) const {
-  const double x = (box.x0 + box.x1) / 2;
-  const double y = (box.y0 + box.y1) / 2;
-  const double half_x = std::max(box.x1 - x, x - box.x0);
-  const double half_y = std::max(box.y1 - y, y - box.y0);
-  const double centre = q_[0] * x + q_[1] * y + q_[2];
-  const double spread = std::abs(q_[0]) * half_x + std::abs(q_[1]) * half_y;
-  const double size = std::abs(q_[0] * x) + std::abs(q_[1] * y) + std::abs(q_[2]) + spread;
+// As on a box: the sums in b and c are of the same terms, and pass no more roundings.
+Interval QuadraticOnLine::over(const Interval& x) const {
+  const double middle = (x.low + x.high) / 2;
+  const double half = std::max(x.high - middle, middle - x.low);
+  const double centre = (a_ * middle + b_) * middle + c_;
+  const double size_of_a = std::abs(a_);
+  const double reach = std::abs(middle) + half;
+  const double size = (size_of_a * reach + size_of_b_) * reach + size_of_c_;
+  const double spread = (std::abs(2 * a_ * middle + b_) + size_of_a * half) * half;
   const double radius = spread + size * 0x1p-46 + 0x1p-900;
   return {centre - radius, centre + radius};
 }
 
-EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet)
-    : shape_(sheets.shape), t_(sheet == Sheet::front ? -1 : 1) {
+template <class Form, class Place>
+auto SheetForms<Form, Place>::own_forms(const Place& place) const -> Own {
+  switch (shape_) {
+    case SheetShape::two_sheets: {
+      const Interval d = d_.over(place);
+      return {d, square_root(d), {}, {}, d.low >= 0};
+    }
+    case SheetShape::rational: {
+      const Interval b = b_.over(place);
+      return {{}, {}, b, c_.over(place), !b.may_vanish()};
+    }
+    default:
+      return {{}, {}, {}, {}, true};
+  }
+}
+
+template <class Form, class Place>
+Interval SheetForms<Form, Place>::value_of(const ConstraintForm& k, const Own& own, const Place& place) const {
+  switch (shape_) {
+    case SheetShape::two_sheets: {
+      const Interval radical = k.r.over(place) * own.root;
+      return is_front_ ? k.p.over(place) - radical : k.p.over(place) + radical;
+    }
+    case SheetShape::rational:
+      return k.a * squared(own.c) - k.r.over(place) * own.b * own.c + k.p.over(place) * squared(own.b);
+    default:
+      return k.p.over(place);
+  }
+}
+
+template <class Form, class Place>
+bool SheetForms<Form, Place>::is_held(const ConstraintForm& k, const Interval& value) {
+  return k.sense > 0 ? value.high <= 0 : value.low >= 0;
+}
+
+template <class Form, class Place>
+Verdict SheetForms<Form, Place>::shows_over(const Place& place) const {
+  const Own own = own_forms(place);
+  if (own.d.negative()) return Verdict::nowhere;
+  bool sure = own.exists;
+  const std::size_t first = last_to_hide_;
+  for (std::size_t i = 0; i < constraints_.size(); ++i) {
+    const std::size_t index = first + i < constraints_.size() ? first + i : first + i - constraints_.size();
+    const ConstraintForm& k = constraints_[index];
+    const Interval value = value_of(k, own, place);
+    if (k.sense > 0 ? value.positive() : value.negative()) {
+      last_to_hide_ = index;
+      return Verdict::nowhere;
+    }
+    sure = sure && is_held(k, value);
+  }
+  return sure ? Verdict::everywhere : Verdict::unsure;
+}
+
+template <class Form, class Place>
+bool SheetForms<Form, Place>::surely_holds(std::size_t constraint, const Place& place) const {
+  const ConstraintForm& k = constraints_[constraint];
+  return is_held(k, value_of(k, own_forms(place), place));
+}
+
+template <class Form, class Place>
+bool SheetForms<Form, Place>::implies(std::size_t constraint, const Place& place) const {
+  const Own own = own_forms(place);
+  if (own.d.negative()) return true;
+  for (std::size_t i = 0; i < constraints_.size(); ++i) {
+    const ConstraintForm& k = constraints_[i];
+    const Interval value = value_of(k, own, place);
+    const bool is_outside = k.sense > 0 ? value.positive() : value.negative();
+    const bool is_inside = k.sense > 0 ? value.negative() : value.positive();
+    if (i == constraint ? is_inside : is_outside) return true;
+  }
+  return false;
+}
+
+template class SheetForms<EnclosedCurve, Box>;
+template class SheetForms<QuadraticOnLine, Interval>;
+
+EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet) {
+  shape_ = sheets.shape;
+  is_front_ = sheet == Sheet::front;
   const long root = (exponent_of(sheets.d) + 1) / 2;
   if (shape_ == SheetShape::two_sheets) d_ = EnclosedCurve(sheets.d, 2 * root);
   if (shape_ == SheetShape::rational) {
     const long own = exponent_of(sheets.surface);
-    b_ = EnclosedLine(sheets.surface.b, own);
+    b_ = EnclosedCurve(sheets.surface.b, own);
     c_ = EnclosedCurve(sheets.surface.c, own);
   }
   for (const Constraint& k : sheets.constraints) constraints_.push_back(enclosed(k, root));
 }
 
-EnclosedSheet::EnclosedConstraint EnclosedSheet::enclosed(const Constraint& k, long root_exponent) const {
+EnclosedSheet::ConstraintForm EnclosedSheet::enclosed(const Constraint& k, long root_exponent) const {
   if (shape_ == SheetShape::rational) {
     const long scale = exponent_of(k.surface);
     return {k.surface.sense, {k.surface.c, scale}, {k.surface.b, scale}, enclosure(k.surface.a, scale)};
@@ -92,66 +170,18 @@ EnclosedSheet::EnclosedConstraint EnclosedSheet::enclosed(const Constraint& k, l
   return {k.surface.sense, {k.p, scale}, {k.r, scale - root_exponent}, {}};
 }
 
-EnclosedSheet::OnBox EnclosedSheet::own_forms(const Box& box) const {
-  switch (shape_) {
-    case SheetShape::two_sheets: {
-      const Interval d = d_.over(box);
-      return {d, square_root(d), {}, {}, d.low >= 0};
-    }
-    case SheetShape::rational: {
-      const Interval b = b_.over(box);
-      return {{}, {}, b, c_.over(box), !b.may_vanish()};
-    }
-    default:
-      return {{}, {}, {}, {}, true};
+SheetOnLine EnclosedSheet::on_line(double y) const {
+  SheetOnLine line;
+  line.shape_ = shape_;
+  line.is_front_ = is_front_;
+  line.d_ = d_.on_line(y);
+  line.b_ = b_.on_line(y);
+  line.c_ = c_.on_line(y);
+  line.constraints_.reserve(constraints_.size());
+  for (const ConstraintForm& k : constraints_) {
+    line.constraints_.push_back({k.sense, k.p.on_line(y), k.r.on_line(y), k.a});
   }
-}
-
-Interval EnclosedSheet::value_of(const EnclosedConstraint& k, const OnBox& own, const Box& box) const {
-  switch (shape_) {
-    case SheetShape::two_sheets:
-      return k.p.over(box) + exactly(t_) * k.r.over(box) * own.root;
-    case SheetShape::rational:
-      return k.a * squared(own.c) - k.r.over(box) * own.b * own.c + k.p.over(box) * squared(own.b);
-    default:
-      return k.p.over(box);
-  }
-}
-
-bool EnclosedSheet::is_held(const EnclosedConstraint& k, const Interval& value) {
-  return k.sense > 0 ? value.high <= 0 : value.low >= 0;
-}
-
-Verdict EnclosedSheet::shows_over(const Box& box) const {
-  const OnBox own = own_forms(box);
-  if (own.d.negative()) return Verdict::nowhere;
-  bool sure = own.exists;
-  for (const EnclosedConstraint& k : constraints_) {
-    const Interval value = value_of(k, own, box);
-    if (k.sense > 0 ? value.positive() : value.negative()) return Verdict::nowhere;
-    sure = sure && is_held(k, value);
-  }
-  return sure ? Verdict::everywhere : Verdict::unsure;
-}
-
-bool EnclosedSheet::surely_exists(const Box& box) const { return own_forms(box).exists; }
-
-bool EnclosedSheet::surely_holds(std::size_t constraint, const Box& box) const {
-  const EnclosedConstraint& k = constraints_[constraint];
-  return is_held(k, value_of(k, own_forms(box), box));
-}
-
-bool EnclosedSheet::implies(std::size_t constraint, const Box& box) const {
-  const OnBox own = own_forms(box);
-  if (own.d.negative()) return true;
-  for (std::size_t i = 0; i < constraints_.size(); ++i) {
-    const EnclosedConstraint& k = constraints_[i];
-    const Interval value = value_of(k, own, box);
-    const bool is_outside = k.sense > 0 ? value.positive() : value.negative();
-    const bool is_inside = k.sense > 0 ? value.negative() : value.positive();
-    if (i == constraint ? is_inside : is_outside) return true;
-  }
-  return false;
+  return line;
 }
 
 }  // namespace halfspace

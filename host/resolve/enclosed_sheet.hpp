@@ -1,4 +1,4 @@
-// enclosed_sheet.hpp - the forms of sheet.hpp over a box of the page, in intervals: quick answers that are never wrong.
+// enclosed_sheet.hpp - the forms of sheet.hpp over a box of the page or along a scan line, in intervals: quick answers that are never wrong.
 // Used as the filter before exact signs.
 #pragma once
 
@@ -17,69 +17,82 @@ struct Box {
   double x0, y0, x1, y1;
 };
 
-// A curve's polynomial with rounded coefficients, all divided by the same power of two so that they are at most 1.
-// `over` adds a bound for every rounding: centre and radius, half the work of operations on intervals.
+// A quadratic in x on one scan line, |b| and |c| at most as large as the sums behind them: centre and radius, half the work of operations on
+// intervals, with a bound for every rounding.
+class QuadraticOnLine {
+ public:
+  QuadraticOnLine() = default;
+  QuadraticOnLine(double a, double b, double c, double size_of_b, double size_of_c)
+      : a_(a), b_(b), c_(c), size_of_b_(size_of_b), size_of_c_(size_of_c) {}
+  [[nodiscard]] Interval over(const Interval& x) const;
+
+ private:
+  double a_ = 0, b_ = 0, c_ = 0, size_of_b_ = 0, size_of_c_ = 0;
+};
+
+// A curve's polynomial with rounded coefficients, all divided by the same power of two so that they are at most 1. Bounded as above.
 class EnclosedCurve {
  public:
   EnclosedCurve() = default;
   EnclosedCurve(const Curve& p, long exponent);
   [[nodiscard]] Interval over(const Box& box) const;
+  [[nodiscard]] QuadraticOnLine on_line(double y) const;
 
  private:
   std::array<double, 6> q_{};
 };
 
-// The same for a curve without terms of second order.
-class EnclosedLine {
- public:
-  EnclosedLine() = default;
-  EnclosedLine(const Curve& p, long exponent);
-  [[nodiscard]] Interval over(const Box& box) const;
-
- private:
-  std::array<double, 3> q_{};
-};
-
 enum class Verdict : std::uint8_t { nowhere, everywhere, unsure };
 
-class EnclosedSheet {
+// A sheet and its constraints over places: boxes of the page, or intervals of a scan line.
+template <class Form, class Place>
+class SheetForms {
  public:
-  EnclosedSheet(const Sheets& sheets, Sheet sheet);
+  // Where in the place does the sheet exist with every constraint holding?
+  [[nodiscard]] Verdict shows_over(const Place& place) const;
 
-  // Where in the box does the sheet exist with every constraint holding?
-  [[nodiscard]] Verdict shows_over(const Box& box) const;
+  // The same in parts, for what is asked exactly otherwise: does the sheet exist all over the place, does a constraint hold wherever it
+  // does?
+  [[nodiscard]] bool surely_exists(const Place& place) const { return own_forms(place).exists; }
+  [[nodiscard]] bool surely_holds(std::size_t constraint, const Place& place) const;
 
-  // The same in parts, for what is asked exactly otherwise: does the sheet exist all over the box, does a constraint hold wherever it does?
-  [[nodiscard]] bool surely_exists(const Box& box) const;
-  [[nodiscard]] bool surely_holds(std::size_t constraint, const Box& box) const;
+  // Does the constraint hold, and is not 0, wherever in the place the sheet exists with the others holding?
+  [[nodiscard]] bool implies(std::size_t constraint, const Place& place) const;
 
-  // Does the constraint hold, and is not 0, wherever in the box the sheet exists with the others holding?
-  [[nodiscard]] bool implies(std::size_t constraint, const Box& box) const;
-
- private:
-  struct EnclosedConstraint {
+ protected:
+  struct ConstraintForm {
     int sense = 1;
-    EnclosedCurve p;  // rational sheets: c' and b' of the other surface, and its a'
-    EnclosedLine r;
+    Form p, r;  // rational sheets: c' and b' of the other surface, and its a'
     Interval a;
   };
-  // The own forms over one box.
-  struct OnBox {
+  // The own forms over one place.
+  struct Own {
     Interval d, root, b, c;
     bool exists = false;  // surely
   };
+  [[nodiscard]] Interval value_of(const ConstraintForm& k, const Own& own, const Place& place) const;
+  [[nodiscard]] static bool is_held(const ConstraintForm& k, const Interval& value);
+  [[nodiscard]] Own own_forms(const Place& place) const;
 
-  [[nodiscard]] EnclosedConstraint enclosed(const Constraint& k, long root_exponent) const;
-  [[nodiscard]] Interval value_of(const EnclosedConstraint& k, const OnBox& own, const Box& box) const;
-  [[nodiscard]] static bool is_held(const EnclosedConstraint& k, const Interval& value);
-  [[nodiscard]] OnBox own_forms(const Box& box) const;
+  SheetShape shape_ = SheetShape::none;
+  bool is_front_ = false;
+  Form d_;      // of two sheets
+  Form b_, c_;  // of a rational one
+  std::vector<ConstraintForm> constraints_;
+  mutable std::size_t last_to_hide_ = 0;  // the constraint that is asked first: it often hides the next place too
+};
 
-  SheetShape shape_;
-  double t_;         // of P + t R sqrt(d)
-  EnclosedCurve d_;  // of two sheets
-  EnclosedLine b_;   // of a rational one
-  EnclosedCurve c_;
-  std::vector<EnclosedConstraint> constraints_;
+class SheetOnLine : public SheetForms<QuadraticOnLine, Interval> {
+  friend class EnclosedSheet;
+};
+
+class EnclosedSheet : public SheetForms<EnclosedCurve, Box> {
+ public:
+  EnclosedSheet(const Sheets& sheets, Sheet sheet);
+  [[nodiscard]] SheetOnLine on_line(double y) const;
+
+ private:
+  [[nodiscard]] ConstraintForm enclosed(const Constraint& k, long root_exponent) const;
 };
 
 }  // namespace halfspace

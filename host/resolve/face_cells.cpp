@@ -134,7 +134,7 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
     const std::vector<RowRoot>& roots = finder.on_line(row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Sheet sheet = faces[i].sheet;
-      auto intervals = row_intervals(roots, row.y0, presences[i], face.pole);
+      auto intervals = row_intervals(roots, PresenceOnLine(presences[i], row.y0), face.pole);
       if (hidden[i]) intervals = rival_points(sheets, face.bounds, sheet, roots, row.y0, intervals);
       builders[i].add(row, named_intervals(face, sheet, roots, intervals, row.singular, extent));
     }

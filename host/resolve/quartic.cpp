@@ -2,6 +2,7 @@
 
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
+#include <flint/nmod_poly.h>
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,45 @@ std::size_t degree_in_x(const QuarticForm& p) {
   std::size_t i = 4;
   while (i > 0 && coefficient_of(p, i).empty()) --i;
   return i;
+}
+
+// On some line modulo a prime, where its degree in x stays four: a product of forms would be one there, as x^4 leaves no factor without x.
+// A form without factors has none on one line in four.
+bool is_surely_irreducible(const QuarticForm& p) {
+  constexpr ulong prime = 251;
+  constexpr int lines = 8;
+  nmod_poly_t on_line;
+  nmod_poly_init(on_line, prime);
+  bool found = false;
+  for (int y = 0; y < lines && !found; ++y) {
+    const Polynomial f = restricted(p, y);
+    nmod_poly_zero(on_line);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      nmod_poly_set_coeff_ui(on_line, static_cast<slong>(i), mpz_fdiv_ui(f[i].get_mpz_t(), prime));
+    }
+    found = nmod_poly_degree(on_line) == 4 && nmod_poly_is_irreducible(on_line) != 0;
+  }
+  nmod_poly_clear(on_line);
+  return found;
+}
+
+Polynomial scaled(int factor, Polynomial p) {
+  for (mpz_class& c : p) c *= factor;
+  return p;
+}
+
+// Of order two or more in x, up to a constant; of order three times the square of the first coefficient. For order four by its seminvariants,
+// 27 D = 4 i^3 - j^2.
+Polynomial discriminant_in_x(const QuarticForm& p) {
+  const auto a = coefficient_of(p, 4), b = coefficient_of(p, 3), c = coefficient_of(p, 2), d = coefficient_of(p, 1),
+             e = coefficient_of(p, 0);
+  if (a.empty() && b.empty()) return minus(times(d, d), scaled(4, times(c, e)));
+  const Polynomial cc = times(c, c);
+  const Polynomial i = minus(plus(cc, scaled(12, times(a, e))), scaled(3, times(b, d)));
+  const Polynomial j =
+      plus(times(c, plus(scaled(72, times(a, e)), scaled(9, times(b, d)))),
+           scaled(-1, plus(scaled(27, plus(times(a, times(d, d)), times(e, times(b, b)))), scaled(2, times(c, cc)))));
+  return minus(scaled(4, times(i, times(i, i))), times(j, j));
 }
 
 void append_factor(const PlanePolynomial& factor, PlaneFactors& found) {
@@ -200,6 +240,10 @@ PlaneFactors factors(const QuarticForm& p) {
     append_factors(as_curve(p), found.curves);
     return found;
   }
+  if (is_surely_irreducible(p)) {
+    found.quartics.push_back(p);
+    return found;
+  }
   PlanePolynomial whole(p);
   fmpz_mpoly_factor_t parts;
   fmpz_mpoly_factor_init(parts, plane());
@@ -216,10 +260,7 @@ PlaneFactors factors(const QuarticForm& p) {
 std::vector<Polynomial> turning_lines(const QuarticForm& p) {
   const std::size_t order = degree_in_x(p);
   if (order <= 1) return {coefficient_of(p, order)};
-  PlanePolynomial form(p);
-  PlanePolynomial discriminant;
-  fmpz_mpoly_discriminant(discriminant.get(), form.get(), 0, plane());
-  return {squarefree_part(discriminant.in_y()), coefficient_of(p, order)};
+  return {discriminant_in_x(p), coefficient_of(p, order)};
 }
 
 Polynomial meeting_lines(const QuarticForm& p, const QuarticForm& q) {

@@ -41,7 +41,7 @@ void make_canonical(QuarticForm& p);
 [[nodiscard]] Polynomial along(const QuarticForm& p, const mpz_class& at, const mpz_class& step,
                                const mpz_class& denominator);
 
-// Factors irreducible over the rationals, each once, canonical.
+// Factors of a canonical form that are irreducible over the rationals, each once, canonical.
 struct PlaneFactors {
   std::vector<Curve> curves;          // of degree one and two
   std::vector<QuarticForm> quartics;  // of degree three and four

@@ -57,14 +57,14 @@ class Runs {
 
 }  // namespace
 
-std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y, const SheetPresence& presence,
+std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const PresenceOnLine& presence,
                                        std::uint32_t pole) {
   Runs runs(2 * static_cast<int>(roots.size()) + 1);
-  bool left = presence.shows_at(sample(roots, 0), y);
+  bool left = presence.shows_at(sample(roots, 0));
   runs.add(left);
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const bool right = presence.shows_at(sample(roots, i + 1), y);
-    runs.add(!passes_through(roots[i], pole) && (left || right || presence.shows_at(roots[i].x, y)));
+    const bool right = presence.shows_at(sample(roots, i + 1));
+    runs.add(!passes_through(roots[i], pole) && (left || right || presence.shows_at(roots[i].x)));
     runs.add(right);
     left = right;
   }

@@ -20,7 +20,7 @@ struct RowInterval {
 };
 
 // `pole`: the index of the curve on which a rational sheet does not exist, or no_arc.
-[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, std::int64_t y,
-                                                     const SheetPresence& presence, std::uint32_t pole);
+[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const PresenceOnLine& presence,
+                                                     std::uint32_t pole);
 
 }  // namespace halfspace

@@ -10,22 +10,37 @@
 
 namespace halfspace {
 
+class PresenceOnLine;
+
 class SheetPresence {
  public:
   // Keeps a reference to `sheets`.
   SheetPresence(const Sheets& sheets, Sheet sheet) : sheets_(sheets), sheet_(sheet), enclosed_(sheets, sheet) {}
 
-  [[nodiscard]] bool shows_at(const RowPoint& x, std::int64_t y) const;
-
   // False: the sheet is hidden all over the box of the point, its edges included.
   [[nodiscard]] bool may_show(const IntervalPoint& point) const;
 
  private:
-  [[nodiscard]] bool shows_exactly(const LineRoot& x, std::int64_t line, const Box* box) const;
+  friend class PresenceOnLine;
 
   const Sheets& sheets_;
   Sheet sheet_;
   EnclosedSheet enclosed_;
+};
+
+class PresenceOnLine {
+ public:
+  // Keeps a reference to `presence`.
+  PresenceOnLine(const SheetPresence& presence, std::int64_t y);
+
+  [[nodiscard]] bool shows_at(const RowPoint& x) const;
+
+ private:
+  [[nodiscard]] bool shows_exactly(const LineRoot& x, const Interval* near) const;
+
+  const SheetPresence& presence_;
+  std::int64_t y_;
+  SheetOnLine enclosed_;
 };
 
 }  // namespace halfspace
