@@ -27,17 +27,6 @@ std::vector<std::int64_t> scale_to_entries(std::span<const Real> values) {
   return result;
 }
 
-// Rows: how the normal's part along right, down and into follows from a gradient in the dot frame.
-std::array<Vector4, 3> normal_rows(const View& view, const PageMap& page) {
-  const Real half = Real(1) / 2;
-  std::array<Vector4, 3> rows = directions_to_view(view);
-  for (Vector4& row : rows) {
-    row = {row[0] * page.scale_x + row[3] * (page.offset_x - half),
-           row[1] * page.scale_y + row[3] * (page.offset_y - half), row[2] * page.scale_y, row[3]};
-  }
-  return rows;
-}
-
 // A perspective view is narrow where its eye is more than 2^24 dots off. There w z stays what it is at vrp to within
 // 2^-10, and the last column, which would not fit, turns into the third.
 bool is_narrow(const View& view, const std::array<Vector4, 3>& rows) {
@@ -116,6 +105,16 @@ void set_intensities(const mpq_class& ambient, const mpq_class& parallel, Intege
 }
 
 }  // namespace
+
+std::array<Vector4, 3> normal_rows(const View& view, const PageMap& page) {
+  const Real half = Real(1) / 2;
+  std::array<Vector4, 3> rows = directions_to_view(view);
+  for (Vector4& row : rows) {
+    row = {row[0] * page.scale_x + row[3] * (page.offset_x - half),
+           row[1] * page.scale_y + row[3] * (page.offset_y - half), row[2] * page.scale_y, row[3]};
+  }
+  return rows;
+}
 
 std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view, const PageMap& page,
                                            Diagnostics& diagnostics) {

@@ -6,6 +6,7 @@
 // Error    Entries are rounded at 2^-16 of the largest: at 256 levels, 0.02 of a level.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "host/flatten/integer_scene.hpp"
@@ -13,6 +14,9 @@
 #include "host/flatten/window.hpp"
 
 namespace halfspace {
+
+// Rows: how the normal's part along right, down and into follows from a gradient in the dot frame.
+[[nodiscard]] std::array<Vector4, 3> normal_rows(const View& view, const PageMap& page);
 
 [[nodiscard]] std::optional<IntegerLighting> light_scene(const Scene& scene, const View& view, const PageMap& page,
                                                          Diagnostics& diagnostics);

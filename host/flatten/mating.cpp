@@ -6,8 +6,10 @@
 namespace halfspace {
 namespace {
 
-constexpr int agreement_bits = 10;
 constexpr int sameness_bits = 40;
+
+// In dots. Where a plane's normal asks for a finer target than most have, this is finer as well.
+Real agreement(const Region& region) { return smaller(power_of_two(-10), 16 * region.target); }
 
 // Two shapes are neighbours where no coordinate differs by more than this.
 constexpr Real normal_reach = 0x1p-10;
@@ -139,7 +141,7 @@ void SurfaceMating::offer(const Candidate& candidate, std::size_t leader, bool o
                           std::optional<Match>& best) const {
   if (best && leader >= best->leader) return;
   const auto distance = apart(candidate, leaders_[leader]);
-  if (distance && *distance <= power_of_two(-agreement_bits)) best = Match{leader, opposite, *distance};
+  if (distance && *distance <= agreement(candidate.region)) best = Match{leader, opposite, *distance};
 }
 
 // The first leader that agrees, as it is written if both ways do. Cells do not tell a surface from its reverse; neighbours lie in those

@@ -1,7 +1,7 @@
 // mating.hpp - half-spaces that have the same surface, so that what touches in the scene touches in the integers.
 // Rule     A surface joins the first one before it, written either way round and with any factor, from which it is nowhere
-//          further than 2^-10 dot in its bodies' boxes; else it stands for itself and for those to come. For planes the
-//          boxes of the first count too.
+//          further than 2^-10 dot (or 16 targets, if that is less) in its bodies' boxes; else it stands for itself and for those
+//          to come. For planes the boxes of the first count too.
 //          Planes of one body join only if they are the same but for the last bits: in a body as thin as a line, two that cross
 //          there would agree too. Quadrics of one group join only if their decimals are in proportion: shells stay two.
 // Cost     A hash grid, linear in the surfaces. So those are found that are neighbours there: planes by unit normal, within

@@ -96,22 +96,27 @@ class TurningPoints::SpacePolynomial {
     return degree(result) > 1 ? squarefree_part(result) : result;
   }
 
-  // Where its roots in v meet or run to infinity.
-  void append_turns(std::vector<Polynomial>& found) const {
-    if (is_zero()) return;
+  // Where its roots in v meet or run to infinity. False: it has multiple factors.
+  bool append_turns(std::vector<Polynomial>& found) const {
+    if (is_zero()) return true;
     found.push_back(leading(v_axis).in_u());
-    if (degree_in(v_axis) < 2) return;
+    if (degree_in(v_axis) < 2) return true;
     SpacePolynomial turns = discriminant(v_axis);
-    if (!turns.is_zero()) return found.push_back(turns.in_u());
+    if (!turns.is_zero()) {
+      found.push_back(turns.in_u());
+      return true;
+    }
     const SpacePolynomial once = squarefree(v_axis);
     if (once.degree_in(v_axis) >= 2) found.push_back(once.discriminant(v_axis).in_u());
+    return false;
   }
 
-  // Where roots in v of both coincide, but for common factors.
-  void append_meetings(const SpacePolynomial& other, std::vector<Polynomial>& found) const {
-    if (is_zero() || other.is_zero()) return;
+  // Where roots in v of both coincide, but for common factors. False: there are some.
+  bool append_meetings(const SpacePolynomial& other, std::vector<Polynomial>& found) const {
+    if (is_zero() || other.is_zero()) return true;
     const SpacePolynomial all = resultant(other, v_axis);
     found.push_back(all.is_zero() ? without(other).resultant(other.without(*this), v_axis).in_u() : all.in_u());
+    return !all.is_zero();
   }
 
  private:
@@ -145,17 +150,23 @@ const std::vector<Polynomial>& TurningPoints::of(const std::vector<std::uint32_t
   std::vector<Polynomial>& found = entry->second;
   if (!is_new) return found;
   const std::uint32_t i = meeting.front();
+  const std::uint32_t j = meeting[meeting.size() / 2];
+  const SpacePolynomial& curve = shadow(i, j);
   if (meeting.size() == 3) {
-    // Common factors are curves that all three share, or that lie behind each other: then another pair tells the points.
-    shadow(i, meeting[1]).append_meetings(shadow(i, meeting[2]), found);
-    shadow(i, meeting[1]).append_meetings(shadow(meeting[1], meeting[2]), found);
+    const std::uint32_t k = meeting.back();
+    // Common factors are curves that lie before each other: then another pair tells the points, or a limb, on which they come together.
+    if (!curve.append_meetings(shadow(i, k), found) && !curve.append_meetings(shadow(j, k), found)) {
+      curve.append_meetings(shadow(i, i), found);
+    }
     return found;
   }
-  const std::uint32_t j = meeting.back();
-  shadow(i, j).append_turns(found);
-  if (i != j && form(i).degree_in(w_axis) <= 0 && form(j).degree_in(w_axis) <= 0) {
-    form(i).append_meetings(form(j), found);
+  const bool is_cast_once = curve.append_turns(found);
+  if (i == j) return found;
+  // A curve that lies before itself along w turns on a limb, too; that of a surface along w is the other's.
+  for (const std::uint32_t k : meeting) {
+    if (!is_cast_once) curve.append_meetings(shadow(k, k), found);
   }
+  if (form(i).degree_in(w_axis) <= 0 && form(j).degree_in(w_axis) <= 0) form(i).append_meetings(form(j), found);
   return found;
 }
 

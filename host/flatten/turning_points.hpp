@@ -1,6 +1,7 @@
 // turning_points.hpp - where the section of a body by the plane u = c can change its structure as c grows.
 // Method   A surface turns, two surfaces touch, the curve in which two meet turns or runs to infinity, three meet in a point. Each is a
-//          zero of a polynomial in u, from resultants and discriminants in w and then in v; zeros too many do no harm.
+//          zero of a polynomial in u, from resultants and discriminants in w and then in v; zeros too many do no harm. Curves that lie
+//          before themselves or each other along w come together on a surface's limb, which is then asked as well.
 // Source   Collins 1975, whose projection this is, with only the pairs and triples that are asked for.
 // Cost     FLINT's: a fraction of a millisecond for a pair, more for a triple.
 #pragma once

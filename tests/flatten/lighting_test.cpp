@@ -70,6 +70,33 @@ TEST(Lighting, PlanesAreLitByTheirWorldNormalInEveryView) {
   expect_facet_lit("view v cop 1 2 -3;", wide);
 }
 
+// Depth is foreshortened: on the page, walls far off differ from each other by less than rounding moves what is near.
+TEST(Lighting, FarPlanesKeepTheirNormals) {
+  const std::string view = "light l 1 .2 .7 -.4; view v cop 0 0 -1 whw .912345678 whh .912345678;";
+  for (const char* distance : {"10", "1e3", "1e5", "1e7", "1e9"}) {
+    const std::string end = std::string(distance) + ">; plane ";
+    const std::string walls = "plane p <.312345678912 .23456789123 -1.1 " + end +
+                              "q <.312345678912 -.1234567891 -1.1 " + end +
+                              "r <0 0 1 -1e10>; body b <p r>; body c <q r>;";
+    const IntegerScene scene = flat(walls + view, page(64, 64));
+    const std::array<double, 2> heights{.23456789123, -.1234567891};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double expected = world_cosine({.312345678912, heights[i], -1.1}, {.2, .7, -.4});
+      EXPECT_NEAR(cosine(scene, scene.bodies.at(i), scene.bodies[i].half_spaces.at(0), {0, 0, 0}), expected, 2e-4)
+          << distance;
+    }
+  }
+}
+
+TEST(Lighting, PlanesOnAPageFarWiderThanTheEyeIsFarKeepTheirNormals) {
+  const IntegerScene scene = flat(
+      "plane p <.78 -.37 -.61 -.56>; body b <p>; light l 1 .2 .7 -.4; view v cop 0 0 4.483144 whw 29897 whh 63532;",
+      page(8, 17));
+  const IntegerBody& body = scene.bodies.at(0);
+  EXPECT_NEAR(cosine(scene, body, body.half_spaces.at(0), {0, 0, 0}), world_cosine({.78, -.37, -.61}, {.2, .7, -.4}),
+              5e-4);
+}
+
 TEST(Lighting, SquareDotsSeenStraightHaveTheIdentity) {
   const IntegerScene scene = flat(facet + "view v dop 1 2 -3;", page(200, 200));
   for (std::size_t i = 0; i < 3; ++i) {

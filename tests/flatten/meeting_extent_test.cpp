@@ -103,6 +103,22 @@ TEST(MeetingExtent, SmallLensFarAway) {
              {999.5, 1000.5, 4000 - r, 4000 + r, -r, r}, 1e-9);
 }
 
+// Along one of the axes a plane's lines run along the circle's plane, in which both balls are their own mirror images.
+TEST(MeetingExtent, LensWithARationalCircle) {
+  const double r = std::sqrt(1 - 3.25 / 4);
+  for (const double y : {-1.5, -1., 1., 1.5}) {
+    for (const double z : {y < 0 ? -2.5 - y : 2.5 - y, y < 0 ? 2.5 + y : y - 2.5}) {
+      const double past_y = r * std::abs(z) / std::sqrt(3.25), past_z = r * std::abs(y) / std::sqrt(3.25);
+      expect_box(body({ball, ball_at(0, y, z, 1)}),
+                 {-r, r, y / 2 - past_y, y / 2 + past_y, z / 2 - past_z, z / 2 + past_z}, 1e-12);
+      expect_box(body({ball, ball_at(z, 0, y, 1)}),
+                 {z / 2 - past_z, z / 2 + past_z, -r, r, y / 2 - past_y, y / 2 + past_y}, 1e-12);
+      expect_box(body({ball, ball_at(y, z, 0, 1)}),
+                 {y / 2 - past_y, y / 2 + past_y, z / 2 - past_z, z / 2 + past_z, -r, r}, 1e-12);
+    }
+  }
+}
+
 // Three balls through the origin: their lens ends there, and where two of the spheres turn.
 TEST(MeetingExtent, ThreeSpheresMeetInAPoint) {
   const double r = std::sqrt(0.5);

@@ -86,7 +86,7 @@ std::vector<Solid> solids_of(const TrueScene& scene, const BoxFrame& frame) {
   std::vector<Solid> solids;
   for (const auto& body : caster.bodies()) {
     Solid& solid = solids.emplace_back();
-    for (const CastSurface<Real>& surface : body) solid.push_back(form_of(surface, to_view));
+    for (std::size_t i = 0; i + scene.clipping_planes < body.size(); ++i) solid.push_back(form_of(body[i], to_view));
     if (scene.view.perspective) solid.push_back(form_of(before_eye, to_view));
   }
   return solids;

@@ -280,6 +280,7 @@ void clip(TrueScene& scene, const std::array<Real, 2>& distances) {
     body.push_back(front);
     body.push_back(back);
   }
+  scene.clipping_planes = 2;
 }
 
 }  // namespace

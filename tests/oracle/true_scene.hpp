@@ -45,7 +45,8 @@ struct TrueView {
 };
 
 struct TrueScene {
-  std::vector<TrueBody> bodies;  // front and back clipping planes included
+  std::vector<TrueBody> bodies;     // front and back clipping planes included
+  std::size_t clipping_planes = 0;  // the last of every body: a fitted picture does not see them
   TrueLight light;
   TrueView view;
 };

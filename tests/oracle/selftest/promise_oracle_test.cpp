@@ -189,6 +189,13 @@ TEST(SolidExtent, IsHeldAgainstPointsAndSolids) {
   EXPECT_FALSE(holds(ball + point, {{-2, -3, -1}, {2, 0.999, 1}}));  // too small
 }
 
+// Of a ball of radius 1 at the origin the whole is fitted, whatever clipping planes leave.
+TEST(SolidExtent, IsNotClipped) {
+  const TrueScene scene =
+      true_scene(scene_of("quadric s <1 1 1 0 0 0 0 0 0 -1>; body c (s); view v dop 1 2 -2 fbp .5 2;"));
+  EXPECT_TRUE(is_extent_of_solids(scene, {{-1, -1, -1}, {1, 1, 1}}));
+}
+
 // Of two planes closer than the bound either may be in front; of two further apart only the nearer one.
 TEST(PromiseOracle, LetsFacesWithinTheBoundChangePlaces) {
   const auto text = [](const std::string& z) {
