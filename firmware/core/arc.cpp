@@ -142,16 +142,19 @@ struct WideConicArc {
     form = {leading(exact.r),  leading(exact.x),  leading(exact.y),
             leading(exact.xx), leading(exact.xy), leading(exact.yy)};
   }
-  [[nodiscard]] bool at_or_right() const { return at_or_right(at.x); }
+  [[nodiscard]] bool at_or_right() const { return at_or_right(at.x, form.r, form.x); }
   [[nodiscard]] bool right() const {
-    if (branch == ArcBranch::left) return value_sign(at.x) < 0 || slope_sign(at.x) > 0;
-    return value_sign(at.x) > 0 && (branch == ArcBranch::single || slope_sign(at.x) > 0);
+    if (branch == ArcBranch::left) return value_sign(at.x, form.r) < 0 || slope_sign(at.x, form.x) > 0;
+    return value_sign(at.x, form.r) > 0 && (branch == ArcBranch::single || slope_sign(at.x, form.x) > 0);
   }
   bool back() {
-    form.back_x();
-    if (at_or_right(at.x - 1)) return true;
-    form.step_x();
-    return false;
+    const Wide<64> x = form.x - form.xx;
+    const Wide<64> r = form.r - x;
+    if (!at_or_right(at.x - 1, r, x)) return false;
+    form.x = x;
+    form.r = r;
+    form.y -= form.xy;
+    return true;
   }
   void step_y() {
     form.step_y();
@@ -170,19 +173,19 @@ struct WideConicArc {
     return 3 + std::max({q[0].bit_length() + 2 * x, q[1].bit_length() + x + down, q[2].bit_length() + 2 * down,
                          q[3].bit_length() + x, q[4].bit_length() + down, q[5].bit_length()});
   }
-  // Of page dot x, where the registers stand.
-  [[nodiscard]] bool at_or_right(std::int32_t x) const {
-    if (branch == ArcBranch::left) return value_sign(x) <= 0 || slope_sign(x) >= 0;
-    return value_sign(x) >= 0 && (branch == ArcBranch::single || slope_sign(x) >= 0);
+  // Of page dot x with the registers' value there and its difference to the next dot's.
+  [[nodiscard]] bool at_or_right(std::int32_t x, const Wide<64>& value, const Wide<64>& rise) const {
+    if (branch == ArcBranch::left) return value_sign(x, value) <= 0 || slope_sign(x, rise) >= 0;
+    return value_sign(x, value) >= 0 && (branch == ArcBranch::single || slope_sign(x, rise) >= 0);
   }
-  [[nodiscard]] int value_sign(std::int32_t x) const {
-    const std::int64_t v = form.r.low64();
+  [[nodiscard]] int value_sign(std::int32_t x, const Wide<64>& value) const {
+    const std::int64_t v = value.low64();
     if (v >= value_error) return 1;
     return v <= -value_error ? -1 : exact_value_sign(x - origin_x);
   }
   // Of 2 A x + B y + D.
-  [[nodiscard]] int slope_sign(std::int32_t x) const {
-    const std::int64_t v = (form.x + form.x - form.xx).low64();
+  [[nodiscard]] int slope_sign(std::int32_t x, const Wide<64>& rise) const {
+    const std::int64_t v = (rise + rise - form.xx).low64();
     if (v >= slope_error) return 1;
     return v <= -slope_error ? -1 : exact_slope_sign(x - origin_x);
   }

@@ -38,6 +38,7 @@ struct Ways {
   std::int32_t general_start, sphere_start;  // once a face
   std::int32_t survey, survey_level;         // and of straight contours, so much a level besides
   std::int32_t skip;                         // of an entry of straight contours that does not show
+  std::int32_t step;                         // of general contours
 };
 constexpr Ways cortex_m3{{5200, 0, 285, 0, 200, 23},
                          {2750, 0, 10, 0, 250, 13},
@@ -47,7 +48,8 @@ constexpr Ways cortex_m3{{5200, 0, 285, 0, 200, 23},
                          15500,
                          30000,
                          1850,
-                         12};
+                         12,
+                         350};
 constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
                       {450, 0, 3, 90, 45, 2},
                       {140, 0, 0, 0, 18, 18},
@@ -56,7 +58,8 @@ constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
                       1500,
                       4600,
                       350,
-                      2};
+                      2,
+                      100};
 constexpr const Ways& ways = limb_bits == 32 ? cortex_m3 : x86_64;
 
 // Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
@@ -76,6 +79,7 @@ struct Costs {
     dot_by_dot = shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
     const std::int32_t edges = job.painter.edges_of(r);          // the only levels that are looked for
     general = ways.general.cost(n, std::min(r, 7 * edges / 4));  // by chords instead of tracks they take 7/4 as much
+    general += job.contours->dear;
     sphere = ways.sphere.cost(n, edges);
     straight = ways.straight.cost(n, edges) + ways.skip * r;
   }
@@ -100,6 +104,7 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
   FaceContours& face = *job.contours;
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
+  face.dear -= face.dear / 4;
   const std::int32_t n = x1 - x0 + 1;
   const std::int32_t lines = std::min(lines_left(job.face, y), 4 * n);  // a narrow span tells little of many
   const Costs costs(job, shader, n);
@@ -115,10 +120,10 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
     pays = is_begun(face, lines, costs.dot_by_dot - costs.general, ways.general_start);
   }
   const SurveyChance survey{std::max<std::int32_t>(std::min(costs.general, costs.dot_by_dot) - costs.straight, 0),
-                            ways.survey + ways.survey_level * job.table.levels};
+                            ways.survey + ways.survey_level * std::min(2 * levels_met(job, n) + 8, job.table.levels)};
   const bool by_rulings = survey.gain > 0 && face.kind != ContourKind::general;
   if (by_rulings && face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) {
-    face.straight.missed += survey.gain / 4;
+    face.straight.missed += survey.gain / 2;
     return true;
   }
   const bool due = by_rulings && is_survey_due(face.straight, lines, survey);
@@ -127,7 +132,11 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
     face.kind = straight_or_general(job);
   }
   if (due && face.kind == ContourKind::straight && surveyed_contour(job, y, x0, x1)) return true;
-  return pays && !has_corner(job, y, x0) && general_contour(job, y, x0, x1);
+  if (!pays || has_corner(job, y, x0) || !general_contour(job, y, x0, x1)) return false;
+  // Where it is dear, as near an apex, it is for some lines.
+  face.dear =
+      std::max<std::int32_t>(ways.general.span + ways.step * face.general.steps - (costs.general - face.dear), 0);
+  return true;
 }
 
 bool shade(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {

@@ -160,15 +160,15 @@ int nearer_between(const Pair& end, const Pair& middle, const Pair& other) {
     if (pair->f.error < 0 || pair->g.error < 0) return 0;
     error = std::max(error, pair->f.error + pair->g.error);
   }
+  const std::int64_t difference = middle.f.z - middle.g.z;
+  if (std::abs(difference) <= error) return 0;
   const std::int32_t near = end.x < middle.x ? middle.x - end.x : end.x - middle.x;
   const std::int32_t far = other.x < middle.x ? middle.x - other.x : other.x - middle.x;
   const Strip f = strip(end.f.z, middle.f.z, other.f.z, near, far);
   const Strip g = strip(end.g.z, middle.g.z, other.g.z, near, far);
-  const std::int64_t difference = middle.f.z - middle.g.z;
   const std::int64_t ends = error * (far + 2 * near);  // of an extended value, times far
-  if (f.high - g.low < -ends && difference < -error) return -1;
-  if (f.low - g.high > ends && difference > error) return 1;
-  return 0;
+  if (difference < 0) return f.high - g.low < -ends ? -1 : 0;
+  return f.low - g.high > ends ? 1 : 0;
 }
 
 }  // namespace
@@ -211,7 +211,16 @@ void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t 
 
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y, std::int32_t a,
                        std::int32_t b, const ExactModule& exact, Counters& counters)
-    : f_(f), g_(g), proof_(proof), f_line_(f, y), g_line_(g, y), y_(y), exact_(exact), counters_(counters) {
+    : f_(f),
+      g_(g),
+      proof_(proof),
+      guess_(proof.crossing),
+      f_line_(f, y),
+      g_line_(g, y),
+      y_(y),
+      exact_(exact),
+      counters_(counters) {
+  proof.crossing = -1;
   push(a, b, 0);
 }
 
@@ -267,10 +276,9 @@ DepthOrder::Step DepthOrder::settle_by_ends(const Run& run, Piece& piece) {
 // Where to look for the dots between which the order changes: where it did last, on either side of that, then by chords, and every
 // third time halfway.
 std::int32_t DepthOrder::next_guess(const Pair& left, const Pair& right, int step) const {
-  const std::int32_t last = proof_.crossing;
-  if (step < 2 && left.x <= last && last <= right.x) {
-    if (last == left.x) return left.x + 1;
-    return last == right.x ? right.x - 1 : last;
+  if (step < 2 && left.x <= guess_ && guess_ <= right.x) {
+    if (guess_ == left.x) return left.x + 1;
+    return guess_ == right.x ? right.x - 1 : guess_;
   }
   return step % 3 == 2 ? left.x + (right.x - left.x) / 2 : chord_crossing(left, right);
 }

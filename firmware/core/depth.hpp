@@ -113,6 +113,7 @@ class DepthOrder {
   const ActiveFace& f_;
   const ActiveFace& g_;
   DepthProof& proof_;
+  std::int32_t guess_;  // where the order changed on the last line that asked
   DepthLine f_line_, g_line_;
   std::int32_t y_;
   const ExactModule& exact_;

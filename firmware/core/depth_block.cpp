@@ -15,27 +15,28 @@ constexpr std::int32_t least_rows = 8;   // of a proof
 constexpr std::int32_t most_rows = 256;  // of a block
 constexpr std::int32_t columns = 4;      // of a proof by columns
 constexpr std::int32_t column_rows = 16;
+constexpr std::int32_t column_margin = 12;  // dots that its run may move by
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
-
-std::int64_t discriminant(const DepthBlock& k, std::int32_t t, std::int32_t s) {
-  return k.d + part(k.dy + k.dyy * s, s, k.y_bits) + part(k.dx + k.dxy * s + k.dxx * t, t, k.x_bits);
-}
 
 }  // namespace
 
 Interval root_over(const DepthBlock& k, const BlockPart& p) {
-  const std::int64_t corners[4] = {discriminant(k, p.t0, p.s0), discriminant(k, p.t1, p.s0),
-                                   discriminant(k, p.t0, p.s1), discriminant(k, p.t1, p.s1)};
+  Interval d{INT64_MAX, INT64_MIN};  // of the corners
+  for (const std::int32_t s : {p.s0, p.s1}) {
+    const std::int64_t start = k.d + part(k.dy + k.dyy * s, s, k.y_bits);
+    const std::int64_t slope = k.dx + k.dxy * s;
+    const std::int64_t left = start + part(slope + k.dxx * p.t0, p.t0, k.x_bits);
+    const std::int64_t right = start + part(slope + k.dxx * p.t1, p.t1, k.x_bits);
+    d = {std::min({d.low, left, right}), std::max({d.high, left, right})};
+  }
   const std::int32_t w = p.t1 - p.t0;
   const std::int32_t h = p.s1 - p.s0;
   const std::int64_t bulge_x = part(k.dxx * w, w, k.x_bits) >> 2;
   const std::int64_t bulge_y = part(k.dyy * h, h, k.y_bits) >> 2;
   const std::int64_t error = 2 * k.shallow;
-  const std::int64_t low = *std::min_element(corners, corners + 4) - std::max<std::int64_t>(bulge_x, 0) -
-                           std::max<std::int64_t>(bulge_y, 0) - error;
-  const std::int64_t high = *std::max_element(corners, corners + 4) - std::min<std::int64_t>(bulge_x, 0) -
-                            std::min<std::int64_t>(bulge_y, 0) + error;
+  const std::int64_t low = d.low - std::max<std::int64_t>(bulge_x, 0) - std::max<std::int64_t>(bulge_y, 0) - error;
+  const std::int64_t high = d.high - std::min<std::int64_t>(bulge_x, 0) - std::min<std::int64_t>(bulge_y, 0) + error;
   const auto root = [](std::int64_t v) { return v > 0 ? quick_root(static_cast<std::uint64_t>(v)) : 0; };
   return {std::max<std::int64_t>(root(low) - 3, 0), root(high) + 3};
 }
@@ -233,12 +234,10 @@ void compare(const ActiveFace& f, const ActiveFace& g, DepthProof& proof) {
 
 }  // namespace
 
-DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+DepthProof& prove_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   DepthProof* last = nullptr;
   for (DepthProof& proof : f.proofs) {
-    if (proof.rival != g.order || proof.x1 < proof.x0) continue;
-    if (proof.holds(y, x0, x1)) return proof;
-    last = &proof;
+    if (proof.rival == g.order && proof.x0 <= proof.x1) last = &proof;
   }
   if (last == nullptr) {
     f.proofs[1] = f.proofs[0];
@@ -248,13 +247,14 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
     compare(f, g, *last);
   }
   DepthProof& proof = *last;
+  const bool changes = x0 <= proof.crossing && proof.crossing <= x1;
   const std::int32_t margin = (x1 - x0) / 4;
   proof.x0 = std::max({static_cast<std::int16_t>(x0 - margin - 4), f.block.x0, g.block.x0});
   proof.x1 = std::min({static_cast<std::int16_t>(x1 + margin + 4), f.block.x1, g.block.x1});
   proof.y0 = static_cast<std::int16_t>(y);
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
-  if (f.block.error < 0 || g.block.error < 0) return proof;
+  if (changes || f.block.error < 0 || g.block.error < 0) return proof;
   if (proof.radical.fraction != RadicalPlane::missing) {
     proof.nearer = static_cast<std::int8_t>(proof.inner * nearer_by_plane(proof.inner < 0 ? f : g, proof));
   } else {
@@ -262,8 +262,8 @@ DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std
   }
   if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
   DepthProof near = proof;
-  near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - 4));
-  near.x1 = std::min(proof.x1, static_cast<std::int16_t>(x1 + 4));
+  near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - column_margin));
+  near.x1 = std::min(proof.x1, static_cast<std::int16_t>(x1 + column_margin));
   near.y1 = std::min(proof.y1, static_cast<std::int16_t>(y + column_rows - 1));
   near.nearer = static_cast<std::int8_t>(nearer_on_columns(f, g, near));
   if (near.nearer != 0) proof = near;

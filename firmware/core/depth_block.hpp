@@ -48,11 +48,21 @@ inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::in
 //         concave D is convex and a back sheet concave, a plane both. Two such sheets of quadrics whose second-order terms are in proportion
 //         (spheres): with z = m - r the halves m differ by a constant k, r r by a linear form P. Where k >= 0, f is behind where
 //         r_f <= r_g + k, or P - k k - 2 k r_g <= 0: convex again, and g is the inner one. Back sheets exchange f and g, and the sign of z.
-[[nodiscard]] DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
-                                       std::int32_t x1);
+[[nodiscard]] DepthProof& prove_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
+                                      std::int32_t x1);
+
+// The same, at the cost of a look where it is known already.
+[[nodiscard]] inline DepthProof& proven_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
+                                              std::int32_t x1) {
+  for (DepthProof& proof : f.proofs) {
+    if (proof.rival == g.order && proof.holds(y, x0, x1)) return proof;
+  }
+  return prove_order(f, g, y, x0, x1);
+}
 
 // floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.
 constexpr std::int64_t part(std::int64_t v, std::int32_t n, int bits) {
+  if constexpr (limb_bits == 64) return static_cast<std::int64_t>(static_cast<SignedDoubleLimb>(v) * n >> bits);
   const std::int64_t low = v & ((std::int64_t{1} << bits) - 1);
   return (v >> bits) * n + (low * n >> bits);
 }

@@ -86,7 +86,7 @@ struct DepthProof {
   std::uint32_t rival = 0;
   std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
   std::int8_t nearer = 0, inner = 0;
-  std::int16_t crossing = -1;  // about where the order changed on the last line that asked
+  std::int16_t crossing = -1;  // where the order changed on the last line that asked; -1: nowhere
   RadicalPlane radical;
 
   [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {

@@ -97,7 +97,10 @@ class SpanTracer {
     Dot dot;
   };
 
-  [[nodiscard]] Dot level_dot(std::int32_t t) const { return {line_, t, bars_.error}; }
+  [[nodiscard]] Dot level_dot(std::int32_t t) const {
+    ++job_.contours->general.steps;
+    return {line_, t, bars_.error};
+  }
   // Whether a dot reaches level k; `above` is that of its bar.
   [[nodiscard]] bool reaches(const Dot& dot, std::int32_t k, std::int32_t above) const {
     if (above > dot.error) return true;
@@ -105,6 +108,7 @@ class SpanTracer {
   }
   [[nodiscard]] bool reaches(const Dot& dot, std::int32_t k) const { return reaches(dot, k, dot.above(bars_.at(k))); }
   [[nodiscard, gnu::noinline]] bool settle(std::int32_t t, std::int32_t k) const {
+    job_.contours->general.steps += 4;
     const std::int32_t x = line_.middle() + t;
     const Answer answer = line_.forms().reaches(x, y_, job_.table.squares[static_cast<std::size_t>(k)]);
     return answer == Answer::unsure ? reaches_level(job_, x, y_, k) : answer == Answer::yes;
@@ -506,6 +510,7 @@ bool general_contour(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::
     face.is_quotient = job.face.kind == FaceKind::rational && !has_polynomial_normal(job.face, job.lighting);
     if (face.is_quotient) face.quotient = QuotientForms{};
   }
+  face.steps = 0;
   while (x0 <= x1) {
     const std::int32_t end = std::min(x1, x0 + 2 * longest_half - 1);
     (face.is_quotient ? trace_quotient : trace_root)(job, y, x0, end);

@@ -32,6 +32,7 @@ struct GeneralContours {
   LevelBars bars;
   TrackStrip strip;
   std::int32_t ridge = 0;  // of the last line, on the page: where the next one's is sought
+  std::int32_t steps = 0;  // that the last span took: dots, and four for each that words of 32 bits did not tell
 };
 
 }  // namespace halfspace

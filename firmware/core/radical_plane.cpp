@@ -1,6 +1,7 @@
 #include "firmware/core/radical_plane.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "firmware/core/real.hpp"
 
@@ -145,6 +146,7 @@ int nearer_by_plane(const ActiveFace& inner, const DepthProof& over) {
 bool find_inner_dots(const ActiveFace& inner, DepthProof& proof, std::int32_t y, std::int32_t a, std::int32_t b,
                      InnerDots& found) {
   const RadicalLine line(inner, proof.radical, y);
+  const std::int32_t guess = std::exchange(proof.crossing, std::int16_t{-1});
   if (!line.is_usable()) return false;
   const int left = line.sign(a);
   const int right = line.sign(b);
@@ -158,8 +160,8 @@ bool find_inner_dots(const ActiveFace& inner, DepthProof& proof, std::int32_t y,
     if (sign < 0) found.to = a - 1;
     if (sign <= 0) return sign < 0 && is_negative(line, a, b, top);
   }
-  if (left < 0) found.from = find_change(line, a, top, left, proof.crossing);
-  if (right < 0) found.to = find_change(line, top, b, 1, proof.crossing) - 1;
+  if (left < 0) found.from = find_change(line, a, top, left, guess);
+  if (right < 0) found.to = find_change(line, top, b, 1, guess) - 1;
   if (found.from < 0 || found.to < 0) return false;
   proof.crossing = static_cast<std::int16_t>(left < 0 ? found.from : found.to + 1);
   return true;

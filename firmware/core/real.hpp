@@ -109,7 +109,7 @@ class Real {
     return normalised(s, error_ + 4, (e_ + (odd ? 1 : 0) - 62) / 2);
   }
 
-  // floor(value 2^bits) to within `error_of(bits)`; the value must be below 2^(62 - bits).
+  // floor(value 2^bits) to within `error_of(bits)`; modulo 2^64 where the value is not below 2^(62 - bits).
   [[nodiscard]] constexpr std::int64_t fixed(int bits) const {
     const int shift = e_ + bits;
     return shift >= 0 ? m_ << std::min(shift, 62) : m_ >> std::min(-shift, 63);

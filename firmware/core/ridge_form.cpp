@@ -8,10 +8,10 @@
 namespace halfspace {
 namespace {
 
-constexpr std::int32_t form_error =
+constexpr std::int32_t plain_error =
     160;  // of w, where s is exact: alpha and beta within 64 each, and their sum's rounding
-
-constexpr std::int32_t far_error = 1 << 29;  // of a dot of which nothing is known
+constexpr std::int32_t far_error = 1 << 30;  // of a dot of which nothing is known: w is smaller
+constexpr int most_scale = 11;               // of the weights of an arc
 
 // Product of two numbers of 30 bits of fraction, or 60.
 std::int32_t times(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::int64_t{a} * b >> 30); }
@@ -24,6 +24,11 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
 constexpr std::int64_t shifted_down(std::int64_t v, int shift) {
   return shift >= 0 ? v >> shift : v * (std::int64_t{1} << std::min(-shift, 62));
 }
+// Half of the sum of a c and b d.
+std::int32_t mixed(std::int32_t a, std::int32_t c, std::int32_t b, std::int32_t d) {
+  return static_cast<std::int32_t>((std::int64_t{a} * c + std::int64_t{b} * d) >> 31);
+}
+std::int32_t size(std::int32_t v) { return v < 0 ? -v : v; }
 int bits(std::uint64_t v) { return static_cast<int>(std::bit_width(v)); }
 int sure_sign(std::int64_t value, std::int64_t error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
@@ -95,7 +100,7 @@ template <class Int>
 
 }  // namespace
 
-int RidgeDot::sign() const { return sure_sign(w, form_error + error); }
+int RidgeDot::sign() const { return sure_sign(w, error); }
 
 RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
     : forms_(forms), line_(line), tau_shift_(30 - line.half_bits), shear_bits_(line.shear_bits) {
@@ -112,6 +117,7 @@ RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
 void RidgeForm::load() {
   const int hb = line_.half_bits;
   (void)load_slope(alpha_, beta_, d_, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
+  form_error_ = plain_error;
 }
 
 // A form's terms are off by less than deep_from in all, and by 2^most_up of that when scaled; so alpha, beta and the former with the plane
@@ -140,70 +146,101 @@ void RidgeForm::load_sheared() {
   for (int i = 0; i < 3; ++i) alpha_[i] = static_cast<std::int32_t>(shifted_down(alpha[i], shift));
   for (int i = 0; i < 2; ++i) beta_[i] = static_cast<std::int32_t>(shifted_down(beta[i], shift + shear_bits_));
   const std::int64_t error = shifted_down(std::int64_t{512} * forms_.deep_from, shift - most_up);
-  extra_error_ = static_cast<std::int32_t>(std::min<std::int64_t>(error + 1, 1 << 26));
+  form_error_ =
+      plain_error + (1 << shear_bits_) + static_cast<std::int32_t>(std::min<std::int64_t>(error + 1, far_error));
 }
 
 RidgeDot RidgeForm::at(std::int32_t t) const {
   RidgeDot p;
+  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(t) << tau_shift_);
   if (shear_bits_ == 0) {
     const std::int32_t s = line_.d.root(t);
-    const std::int32_t root_error = s >= forms_.deep_from ? SectionForms::deep_root_error : forms_.errors[0].root;
-    p.s = s >> root_shift_;
-    p.sigma = p.s;
-    p.error = (root_error >> root_shift_) + root_shift_;
+    p.s = s;
+    p.sigma = s >> root_shift_;
+    p.root_error = s >= forms_.deep_from ? SectionForms::deep_root_error : forms_.errors[0].root;
+    p.error = form_error_ + p.root_error;
   } else {
     shear(p, t);
   }
-  p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(t) << tau_shift_);
-  p.beta = beta_[0] + times(beta_[1], p.tau);
-  p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(p.beta, p.sigma);
+  p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(beta_at(p.tau), p.sigma);
   return p;
 }
 
 void RidgeForm::shear(RidgeDot& p, std::int32_t t) const {
   const ShearedRoot root = forms_.sheared_root(line_.d, line_.plane, t);
-  p.s = root.s >> root_shift_;
+  p.s = root.fine;
   p.sigma = root.is_far() ? 0 : static_cast<std::int32_t>(root.sigma) >> root_shift_;
-  p.error = root.is_far() ? far_error : root.error + (1 << shear_bits_) + extra_error_;
+  p.root_error = root.is_far() ? far_error : root.error;
+  p.error = root.is_far() ? far_error : form_error_ + times(size(beta_at(p.tau)), root.error) + 2;
 }
 
 Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b) const {
-  const std::int32_t error = std::max(a.error, b.error);
+  const Course known = shear_bits_ == 0 ? plain_course(a, b) : Course::unsure;
+  return known != Course::unsure ? known : scaled_course(a, b);
+}
+
+// h^2
+std::int32_t RidgeForm::square_of_way(const RidgeDot& a, const RidgeDot& b) const {
+  const std::uint32_t way = static_cast<std::uint32_t>(b.tau) - static_cast<std::uint32_t>(a.tau);
+  const auto h = static_cast<std::int32_t>(way >> tau_shift_);
+  return h * h;
+}
+
+// |w|, |beta| and s are at most 1, |delta| at most 5/4. The root's error enters delta twice, w_at and w_tb 5 times and the middle 28 times; the
+// rest adds up to 2, 360 and 1400.
+Course RidgeForm::plain_course(const RidgeDot& a, const RidgeDot& b) const {
+  const std::int32_t error = std::max(a.root_error, b.root_error);
+  const std::int64_t bend = plus_product(0, square_of_way(a, b), line_.d.v2);
+  const Arc arc(a.sigma, b.sigma, bend >> 2 * root_shift_, 30);
+  if (arc.weight() <= 6 * error + 8) return Course::unsure;
+  return course(a, b, arc, w_between(a, b), 8 * error + 512, 32 * error + 2048);
+}
+
+// The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. With e what s errs by then, and
+// g such that beta is that of s 2^g:
+//   delta     2 e of its square, 1 more of its error's, h^2 units of D2 h^2, 2 of floors
+//   w_at      2 E of w, |w| 2 e of s, |beta| 2^g delta's / 2; beta's part of E once, 4 of floors: less than E
+//   middle    7 E, |w| (12 e + delta's), 2 |beta| 2^g (delta's + e), 4 E of beta's part; floors less than E
+Course RidgeForm::scaled_course(const RidgeDot& a, const RidgeDot& b) const {
+  const std::int32_t square = square_of_way(a, b);
+  const std::int64_t bend = plus_product(0, square, line_.d.v2);
+  const int room = 30 + shear_bits_ - bits(magnitude(a.s | b.s));
+  const int scale = std::min({room, (std::countl_zero(magnitude(bend)) - 4) >> 1, most_scale});
+  const int down = shear_bits_ - scale;
+  const std::int32_t sigma_error = std::max(a.root_error, b.root_error);
+  const std::int64_t root_error = shifted_down(sigma_error, down) + 1;
+  if (root_error >> 15 != 0) return Course::unsure;
+  const Arc arc(static_cast<std::int32_t>(shifted_down(a.s, down)), static_cast<std::int32_t>(shifted_down(b.s, down)),
+                shifted_down(bend, -2 * scale), 30 - down + root_shift_);
+  const auto delta_error = static_cast<std::int32_t>(2 * root_error + shifted_down(square, 30 - 2 * scale) + 4);
+  if (arc.weight() <= delta_error + 4 * root_error + 4) return Course::unsure;
+  const std::int32_t w_ab = w_between(a, b);
+  const std::int32_t most_w = std::max({size(a.w), size(b.w), size(w_ab)});
+  const std::int32_t most_beta = std::max(size(beta_at(a.tau)), size(beta_at(b.tau)));
+  const std::int64_t of_w = form_error_ + times(most_beta, sigma_error) + 2;
+  const std::int64_t of_roots = times(most_w, static_cast<std::int32_t>(12 * root_error) + delta_error) +
+                                arc.bow(most_beta, static_cast<std::int32_t>(root_error) + delta_error);
+  return course(a, b, arc, w_ab, 4 * of_w + of_roots, 16 * of_w + 2 * of_roots);
+}
+
+// w's polar form.
+std::int32_t RidgeForm::w_between(const RidgeDot& a, const RidgeDot& b) const {
   const auto mean = static_cast<std::int32_t>((std::int64_t{a.tau} + b.tau) >> 1);
-  const std::int32_t tau_ab = times(a.tau, b.tau);
-  const std::int32_t polar = d_[0] + times(d_[1], mean) + times(d_[2], tau_ab);
-  const std::int32_t ss = times(a.s, b.s);
-  const std::int32_t delta = polar - ss;
-  // The arc turns by half a circle or more; or its pole lies farther from the plane than words reach.
-  if (polar + ss <= 2 * error + 8 || (delta < 0 ? -delta : delta) >> (31 - shear_bits_) != 0) return Course::unsure;
-  const auto mixed = [&](std::int32_t of_a, std::int32_t of_b) {
-    return static_cast<std::int32_t>((std::int64_t{a.beta} * of_b + std::int64_t{b.beta} * of_a) >> 31);
-  };
-  const std::int32_t beta_s = mixed(a.s, b.s);
-  std::int32_t beta_sigma = beta_s;
-  std::int64_t bow_a = 0;  // delta beta, where delta is of s
-  std::int64_t bow_b = 0;
-  std::int64_t bow_ab = 0;
-  if (shear_bits_ == 0) {
-    bow_a = times(delta, a.beta);
-    bow_b = times(delta, b.beta);
-    bow_ab = times(delta, beta_s);
-  } else {
-    const auto bowed = [&](std::int32_t beta) { return std::int64_t{delta} * beta >> (30 - shear_bits_); };
-    beta_sigma = mixed(a.sigma, b.sigma);
-    bow_a = bowed(a.beta);
-    bow_b = bowed(b.beta);
-    bow_ab = bowed(beta_s);
-  }
-  const std::int32_t w_ab = alpha_[0] + times(alpha_[1], mean) + times(alpha_[2], tau_ab) + beta_sigma;
-  const std::int64_t w_at = times(b.s, a.w) + times(a.s, w_ab) + bow_a / 2;
-  const std::int64_t w_tb = times(a.s, b.w) + times(b.s, w_ab) + bow_b / 2;
-  const std::int64_t middle = std::int64_t{times(times(b.s, b.s), a.w)} + times(times(a.s, a.s), b.w) +
-                              ((4 * std::int64_t{ss} + delta) * w_ab >> 30) + 2 * bow_ab;
-  // |w| < 1, so the root's error enters w_at and w_tb at most 8 times and the middle 41 times; the rest adds up to 330 and 1000.
-  const std::int64_t side_error = 512 + 16 * std::int64_t{error};
-  return course_of({a.sign(), sure_sign(w_at, side_error), sure_sign(middle, 2048 + 64 * std::int64_t{error}),
-                    sure_sign(w_tb, side_error), b.sign()});
+  return alpha_[0] + times(alpha_[1], mean) + times(alpha_[2], times(a.tau, b.tau)) +
+         mixed(beta_at(a.tau), b.sigma, beta_at(b.tau), a.sigma);
+}
+
+Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, std::int32_t w_ab,
+                         std::int64_t side_error, std::int64_t middle_error) const {
+  const std::int32_t beta_a = beta_at(a.tau);
+  const std::int32_t beta_b = beta_at(b.tau);
+  const std::int64_t w_at = std::int64_t{times(arc.s_b, a.w)} + times(arc.s_a, w_ab) + arc.bow(beta_a) / 2;
+  const std::int64_t w_tb = std::int64_t{times(arc.s_a, b.w)} + times(arc.s_b, w_ab) + arc.bow(beta_b) / 2;
+  const std::int64_t middle = std::int64_t{times(times(arc.s_b, arc.s_b), a.w)} + times(times(arc.s_a, arc.s_a), b.w) +
+                              ((arc.weight() + 2 * std::int64_t{times(arc.s_a, arc.s_b)}) * w_ab >> 30) +
+                              2 * arc.bow(mixed(beta_a, arc.s_b, beta_b, arc.s_a));
+  return course_of(
+      {a.sign(), sure_sign(w_at, side_error), sure_sign(middle, middle_error), sure_sign(w_tb, side_error), b.sign()});
 }
 
 }  // namespace halfspace

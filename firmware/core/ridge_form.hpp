@@ -3,16 +3,18 @@
 //     beta  = 2 l' q - l q' + m (D' r / 2 - r' D)                          linear: the squares of x cancel
 //     alpha = D (2 l' r - l r') + D' (m q - l r / 2) - m q' D              quadratic: the cubes cancel
 //   From a to b the section s^2 = D is a rational Bezier arc with the control points A, T, B, where T is the pole of the chord.
-//   With P = D0 + D1 (a + b) / 2 + D2 a b the polar form and delta = P - s_a s_b, in homogeneous (x, s, 1)
+//   With P the polar form of D and delta = P - s_a s_b = (ds^2 - D2 h^2) / 2, h = b - a, in homogeneous (x, s, 1)
 //     T = s_b A + s_a B + (0, delta, 0), and the product of A's and B's weights is 2 (P + s_a s_b).
 //   w is of second degree in (x, s, 1), so along the arc it is a quartic in Bernstein form, with the coefficients, up to
 //   positive factors,
 //     w_AA,  w_AT,  w_TT + (P + s_a s_b) w_AB,  w_TB,  w_BB
 //   It has no more roots between a and b than these have changes of sign, and as many or an even number fewer.
+// Scale   s_a, s_b and a root of delta are weights: all of them times c leaves the arc what it is. Where s is far below the largest of its
+//         block the four products above are small, and what they err by is not; so the arc is scaled until the largest is near 1.
 // Shear   With sigma in place of s (section_forms.hpp) w = alpha + beta plane + beta sigma: then alpha and beta are computed in 60 bits from
 //         the forms as they were, since they cancel three times over, and cut when they have. The poles keep s.
 // Units   tau = t 2^-half_bits in [-1, 1]; every quantity has 30 bits of fraction.
-// Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within form_error + the root's (ridge_form.cpp).
+// Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within plain_error + the root's (ridge_form.cpp).
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
 #pragma once
 
@@ -25,10 +27,10 @@ namespace halfspace {
 
 // A dot of the section as the form needs it.
 struct RidgeDot {
-  std::int32_t tau, s, sigma;
-  std::int32_t beta;  // at tau
+  std::int64_t s;  // as fine as sigma
+  std::int32_t tau, sigma;
   std::int32_t w;
-  std::int32_t error;  // of sigma, and what w errs by beside form_error (ridge_form.cpp)
+  std::int32_t root_error, error;  // of s in its own units, and of w
   // Of dI/dx: -1, 0 for unsure, 1.
   [[nodiscard]] int sign() const;
 };
@@ -48,14 +50,43 @@ class RidgeForm {
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b) const;
 
  private:
+  // The weights of a section's arc between two dots, times a power of two.
+  struct Arc {
+    std::int32_t s_a, s_b, delta;
+    int bow_shift;  // beta's fraction less that of s
+
+    // `bend` is D2 h^2, 60 bits of fraction.
+    Arc(std::int32_t at_a, std::int32_t at_b, std::int64_t bend, int shift)
+        : s_a(at_a),
+          s_b(at_b),
+          delta(static_cast<std::int32_t>((std::int64_t{at_b - at_a} * (at_b - at_a) - bend) >> 31)),
+          bow_shift(shift) {}
+    // Half the product of its ends' weights, P + s_a s_b.
+    [[nodiscard]] std::int64_t weight() const { return (std::int64_t{s_a} * s_b >> 29) + delta; }
+    [[nodiscard]] std::int64_t bow(std::int32_t beta) const { return bow(beta, delta); }
+    [[nodiscard]] std::int64_t bow(std::int32_t beta, std::int32_t of) const {
+      return std::int64_t{beta} * of >> bow_shift;
+    }
+  };
+
   void load();
   void load_sheared();
   [[gnu::noinline]] void shear(RidgeDot& p, std::int32_t t) const;
+  [[nodiscard]] std::int32_t beta_at(std::int32_t tau) const {
+    return beta_[0] + static_cast<std::int32_t>(std::int64_t{beta_[1]} * tau >> 30);
+  }
+  [[nodiscard]] std::int32_t square_of_way(const RidgeDot& a, const RidgeDot& b) const;
+  [[nodiscard]] std::int32_t w_between(const RidgeDot& a, const RidgeDot& b) const;
+  [[nodiscard]] Course plain_course(const RidgeDot& a, const RidgeDot& b) const;
+  [[nodiscard]] Course scaled_course(const RidgeDot& a, const RidgeDot& b) const;
+  // From w's polar form and the errors of w_at and w_tb, and of the middle.
+  [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, std::int32_t w_ab,
+                              std::int64_t side_error, std::int64_t middle_error) const;
 
   const SectionForms& forms_;
   const LineForms& line_;
   int tau_shift_, root_shift_, shear_bits_;
-  std::int32_t extra_error_ = 0;
+  std::int32_t form_error_;  // of w, where s is exact
   std::int32_t d_[3], alpha_[3], beta_[2];
 };
 

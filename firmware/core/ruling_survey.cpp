@@ -483,7 +483,7 @@ bool make_root_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::in
   ArcEnd a;
   ArcEnd b;
   // A cone's lines towards its apex need more of its rulings: those of a third of the way.
-  if (!ends_of_face(line, 3 * (x - x0) + 64, 3 * (x1 - x) + 64, a, b)) return false;
+  if (!ends_of_face(line, 3 * (x - x0) + (x1 - x0) + 64, 3 * (x1 - x) + (x1 - x0) + 64, a, b)) return false;
   return aim(pencil, x, a, b, job.contours->straight) && arc.make(line, a, b, job.lighting);
 }
 
@@ -493,8 +493,8 @@ bool make_quotient_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std
   const FaceRows rows(job.face, x, y);
   const RealVector& depth = rows.row[2];
   const Pencil pencil = QuotientCentre(rows).pencil(depth);
-  ArcEnd a{Real(-(3 * (x - x0) + 64)), {}};
-  ArcEnd b{Real(3 * (x1 - x) + 64), {}};
+  ArcEnd a{Real(-(3 * (x - x0) + (x1 - x0) + 64)), {}};
+  ArcEnd b{Real(3 * (x1 - x) + (x1 - x0) + 64), {}};
   if (const int rise = depth[1].sign() * depth[0].sign(); rise != 0) {
     const Real limb = -depth[0] / depth[1];
     if (rise > 0 && (limb - a.x).sign() > 0) a.x = limb;

@@ -271,10 +271,10 @@ ShearedRoot SectionForms::sheared_root(const LinePolynomial& d_on, const LinePol
   const std::int64_t value = d_on.at(t);
   const std::int32_t s = value > 0 ? quick_root(static_cast<std::uint64_t>(value)) : 0;
   const auto rest = static_cast<std::int32_t>((std::max<std::int64_t>(value, 0) - std::int64_t{s} * s) >> 4);
-  const std::int64_t sigma =
-      Shear::sigma(plane_on, shear.bits, t, s) + ((rest / std::max<std::int32_t>(s >> 14, 1)) >> (11 - shear.bits));
+  const std::int32_t step = (rest / std::max<std::int32_t>(s >> 14, 1)) >> (11 - shear.bits);
   const std::int32_t error = (deep_from + (3 << 14)) / std::max<std::int32_t>(s >> shear.bits, 1) + 4;
-  return {s, sigma, std::min(error, errors[0].root << shear.bits)};
+  return {s, std::int64_t{s} * (1 << shear.bits) + step, Shear::sigma(plane_on, shear.bits, t, s) + step,
+          std::min(error, errors[0].root << shear.bits)};
 }
 
 Answer SectionForms::reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const {

@@ -73,8 +73,9 @@ struct Shear {
 // s and sigma at a dot of a sheared block; too far from the plane for words where |sigma| is 2^30 or more.
 struct ShearedRoot {
   std::int32_t s;
+  std::int64_t fine;  // s 2^bits
   std::int64_t sigma;
-  std::int32_t error;  // of sigma
+  std::int32_t error;  // of the last two
   [[nodiscard]] bool is_far() const { return magnitude(sigma) >> 30 != 0; }
 };
 

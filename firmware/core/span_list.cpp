@@ -40,12 +40,18 @@ void SpanList::remove(std::uint16_t slot) {
   free_ = slot;
 }
 
-// Dots x0 .. x1, all covered by the old face until now: the nearer of both, piece by piece.
-bool SpanList::contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
-  const bool curved = faces_[face].kind != FaceKind::rational && faces_[old_face].kind != FaceKind::rational;
-  DepthProof nothing;
-  DepthProof& proof = curved ? proven_order(faces_[face], faces_[old_face], y_, x0, x1) : nothing;
-  if (proof.nearer != 0) return add(proof.nearer < 0 ? face : old_face, x0, x1);
+// What is known of a face and the old one on dots x0 .. x1, all covered by the old one until now.
+DepthProof& SpanList::known_order(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1) {
+  ActiveFace& f = faces_[face];
+  const ActiveFace& g = faces_[old_face];
+  if (f.kind != FaceKind::rational && g.kind != FaceKind::rational) return proven_order(f, g, y_, x0, x1);
+  return unproven_ = {};
+}
+
+// The nearer of both, piece by piece.
+bool SpanList::contest(DepthProof& proof, std::uint16_t face, std::uint16_t old_face, std::int32_t x0,
+                       std::int32_t x1) {
+  if (proof.nearer < 0) return add(face, x0, x1);
   if (proof.radical.fraction != RadicalPlane::missing) {
     const std::uint16_t inner = proof.inner < 0 ? face : old_face;
     const std::uint16_t outer = proof.inner < 0 ? old_face : face;
@@ -91,12 +97,19 @@ bool SpanList::insert(std::uint16_t face, std::int32_t x0, std::int32_t x1) {
       x0 = old.x0;
       continue;
     }
-    // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
     const std::int32_t end = std::min<std::int32_t>(x1, old.x1);
     const bool nearer = block.high < faces[old.face].block.low;
+    DepthProof* const proof = nearer ? nullptr : &known_order(face, old.face, x0, end);
+    if (!nearer && proof->nearer > 0) {
+      last_ = current;
+      x0 = end + 1;
+      current = old.next;
+      continue;
+    }
+    // Take the old span out and put back, in order: what lies before, the contested dots, what lies behind.
     remove(current);
     if (old.x0 < x0 && !add(old.face, old.x0, x0 - 1)) return false;
-    if (!(nearer ? add(face, x0, end) : contest(face, old.face, x0, end))) return false;
+    if (!(nearer ? add(face, x0, end) : contest(*proof, face, old.face, x0, end))) return false;
     if (end < old.x1) return add(old.face, end + 1, old.x1);
     x0 = end + 1;
     current = old.next;

@@ -39,12 +39,14 @@ class SpanList {
  private:
   bool add(std::uint16_t face, std::int32_t x0, std::int32_t x1);
   void remove(std::uint16_t slot);
-  bool contest(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1);
+  DepthProof& known_order(std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1);
+  bool contest(DepthProof& proof, std::uint16_t face, std::uint16_t old_face, std::int32_t x0, std::int32_t x1);
 
   std::span<Span> pool_;
   std::span<ActiveFace> faces_;
   const ExactModule& exact_;
   Counters& counters_;
+  DepthProof unproven_;  // of faces of which nothing is kept
   std::int32_t y_ = 0;
   std::int32_t used_ = 0;
   std::uint16_t first_ = no_slot;

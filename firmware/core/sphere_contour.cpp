@@ -10,6 +10,7 @@ namespace {
 
 constexpr int place_bits = 15;
 constexpr std::int32_t one_dot = 1 << place_bits;
+constexpr std::int64_t least_reach = 1 << 20;  // 2^-30, of a level no more than a radius high
 
 // --- a face's registers ---
 
@@ -80,30 +81,30 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const Real a = l0 * scale;
   const Real b = Real(s.light_root, 0) * o.d0.root() * scale;
   const Real c = (Real(s.light.q[1], 0) + l0 * o.shear) * scale / o.root_kappa;
-  const Real reach = a * a + b * b;
-  const Real quarter = Real(1).half().half();
-  if ((reach - quarter).sign() < 0 || reach.sign() <= 0) return false;
+  const Real reach = (a * a + b * b).root();
 
   out.middle = static_cast<std::int32_t>(std::clamp<std::int64_t>(o.middle.fixed(0), -(1 << 18), 1 << 18));
   const Real above = Real(out.middle) - o.middle;
   const std::int64_t most = static_cast<std::int64_t>(job.table.levels - 1) * g.parallel;
   const Real per_level = Real(most) / Real(g.unit);
   const Real radial = o.radius;
-  // A = 1 as a fraction of 32 bits would not fit: it loses one unit.
-  std::int64_t reach_bits = 0;
+  const Real lift = c * o.root_kappa;
+  const bool lit_along_lines =
+      put(out.reach, reach, 30) && out.reach >= least_reach && least_reach * g.unit / out.reach <= most &&
+      put(out.lift_slope, lift / reach, f + 32, 1 << 17) && put(out.lift_at, above * lift / reach, f + 32, 1 << 30) &&
+      put(out.bar_slope, radial / (Real(most) * reach), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
+      put(out.alpha, a / reach, 32 + place_bits - f) &&
+      put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
   const bool good = put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
                     put(out.centre_slope, o.shear, f + 16) &&
                     put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
-                    put(out.bar_slope, radial / Real(most), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
                     put(out.level_slope, per_level / radial, 48 - f) && put(out.radius, radial, f) &&
-                    put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30) && put(reach_bits, reach, 32) &&
-                    put(out.alpha, a / reach, 32 + place_bits - f) &&
-                    put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
-  out.reach = static_cast<std::uint32_t>(std::min<std::int64_t>(reach_bits, 0xffffffff));
+                    put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30);
   out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
-  out.sure = 6 + (150 >> (f - place_bits));
-  out.sure_if_narrow = 6 + (2070 >> (f - place_bits));
-  return good && out.radius <= (1 << 30) - 4;  // rho^2 stays under 2^60 with eta's error, as quick_root asks
+  out.sure = 6 + (40 >> (f - place_bits));
+  out.sure_if_narrow = 6 + (520 >> (f - place_bits));
+  return good && (lit_along_lines || reach.is_zero()) &&
+         out.radius <= (1 << 30) - 4;  // rho^2 stays under 2^60 with eta's error, as quick_root asks
 }
 
 namespace {
@@ -118,13 +119,15 @@ class SphereSpan {
     eta_ = static_cast<std::int32_t>((c.eta_slope * up + c.eta_at) >> 16);
     centre_ = (c.centre_slope * up + c.centre_at) >> 16;
     chord_ = (std::int64_t{c.radius} - eta_) * (std::int64_t{c.radius} + eta_);
-    const auto chord = static_cast<std::uint64_t>(chord_);
-    reach_ = static_cast<std::int64_t>((chord >> 32) * c.reach + ((chord & 0xffffffffU) * c.reach >> 32));
-    lift_ = static_cast<std::int32_t>(static_cast<std::int64_t>(c.c) * eta_ >> 30);
     const std::int64_t base =
         (static_cast<std::int64_t>(job.face.origin_x) << place_bits) + (centre_ >> (c.fraction - place_bits));
     constexpr std::int64_t far = std::int64_t{41000} << place_bits;
     is_near_ = base > -far && base < far;
+    const auto bar_slope = static_cast<std::uint64_t>(c.bar_slope);
+    bar_step_ = bar_slope * static_cast<std::uint32_t>(job.lighting.unit);
+    bar_at_ =
+        bar_slope * static_cast<std::uint64_t>(static_cast<std::int64_t>(job.table.levels - 1) * job.lighting.ambient) +
+        c.lift_slope * static_cast<std::uint64_t>(up) + c.lift_at;
     base_ = static_cast<std::int32_t>(base);
   }
   // A line that grazes the sphere, or a job that lies.
@@ -136,23 +139,27 @@ class SphereSpan {
     // A dot inside level k's interval shows k + shift, one outside shows `step` less.
     const std::int32_t step = is_dark() ? -1 : 1;
     const std::int32_t shift = is_dark() ? -1 : 0;
-    const std::int32_t last = is_dark() ? job_.table.ambient_level + 1 : job_.table.top_level;
+    const std::int32_t last = last_level(ka);
     const std::int32_t rise = (kb - ka) * step;
     const std::int32_t inside = ka + 1 + shift;
     const std::int32_t risen = inside + std::max<std::int32_t>(rise, 0) * step;
     const std::int32_t fallen = inside + std::min<std::int32_t>(rise, 0) * step;
-    Sweep beginning(*this, inside, risen - step, step);
-    Sweep nested(*this, risen, last, step);
-    Sweep ending(*this, inside - step, fallen, -step);
     Intervals found;
+    found.first = edge(inside, step);
     found.beginning = job_.scratch.data();
-    found.nested = find<true, false>(beginning, found.beginning);
-    found.ending = find<true, true>(nested, found.nested);
-    found.end = find<false, true>(ending, found.ending);
-    job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, shift, step) : paint<RunPainter>(found, ka, shift, step);
+    Sweep sweep{found.first, risen - step, step};
+    found.nested = find<true, false>(sweep, found.beginning);
+    sweep.last = last;
+    found.ending = find<true, true>(sweep, found.nested);
     // As far as the first level that has no interval, or beyond by some that look alike.
-    const std::int32_t peaks =
-        std::max<std::int32_t>(std::min(nested.k * step, (last + step) * step) - risen * step, 0);
+    const std::int32_t peaks = std::max<std::int32_t>(std::min(sweep.k * step, (last + step) * step) - risen * step, 0);
+    found.end = found.ending;
+    if (fallen != inside) {
+      found.first_ending = edge(inside - step, -step);
+      Sweep ending{found.first_ending, fallen, -step};
+      found.end = find<false, true>(ending, found.ending);
+    }
+    job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, shift, step) : paint<RunPainter>(found, ka, shift, step);
     job_.counters.level_spans += static_cast<std::uint32_t>(1 + std::abs(rise) + 2 * peaks);
   }
 
@@ -162,6 +169,7 @@ class SphereSpan {
   // in, but not the last, end in it. Either the first or the last are none.
   struct Intervals {
     Interval *beginning, *nested, *ending, *end;
+    std::int32_t first, first_ending = 0;  // the levels of the first that begins and of the first that ends
   };
   struct Crossing {
     std::int32_t centre, half, error;  // places; error < 0: the line misses the interval
@@ -171,8 +179,6 @@ class SphereSpan {
   struct Sweep {
     std::int32_t k, last, step;
 
-    Sweep(const SphereSpan& span, std::int32_t first, std::int32_t last_one, std::int32_t direction)
-        : k(span.edge(first, direction)), last(last_one), step(direction) {}
     [[nodiscard]] bool done() const { return (last - k) * step < 0; }
   };
   // The first at k or beyond it.
@@ -183,7 +189,7 @@ class SphereSpan {
   template <class Run>
   void paint(const Intervals& found, std::int32_t level, std::int32_t shift, std::int32_t step) {
     Run run(job_.painter, x0_, level);
-    std::int32_t k = edge(level + 1 + shift, step);
+    std::int32_t k = found.first;
     for (const Interval* at = found.beginning; at != found.ending; ++at, k = edge(k + step, step)) {
       run.change(*at & 0x7fff, k + shift);
     }
@@ -191,7 +197,7 @@ class SphereSpan {
       k = edge(k - step, -step);
       run.change(*--at >> 16, k + shift - step);
     }
-    if (found.ending != found.end) k = edge(level + 1 + shift - step, -step);
+    k = found.first_ending;
     for (const Interval* at = found.ending; at != found.end; ++at, k = edge(k - step, -step)) {
       run.change(*at >> 16, k + shift - step);
     }
@@ -201,22 +207,21 @@ class SphereSpan {
   // The light comes from behind: a level's interval is where it is not reached, and intervals nest downwards.
   [[nodiscard]] bool is_dark() const { return c_.b < 0; }
 
-  // t_k R, with 32 bits of fraction.
-  [[nodiscard]] std::int64_t bar_of(std::int32_t k) const {
-    return c_.bar_slope * (static_cast<std::int64_t>(k) * job_.lighting.unit -
-                           static_cast<std::int64_t>(job_.table.levels - 1) * job_.lighting.ambient);
+  // C of level k.
+  [[nodiscard]] std::int32_t bar_of(std::int32_t k) const {
+    return static_cast<std::int32_t>((bar_step_ * static_cast<std::uint32_t>(k) - bar_at_) >> 32);
   }
   [[nodiscard]] Crossing crossing(std::int32_t k) const {
-    const std::int32_t bar = static_cast<std::int32_t>(bar_of(k) >> 32) - lift_;
-    const std::int64_t w2 = reach_ - static_cast<std::int64_t>(bar) * bar;
+    const std::int32_t bar = bar_of(k);
+    const std::int64_t w2 = chord_ - static_cast<std::int64_t>(bar) * bar;
     if (w2 < -slack) return {0, 0, -1};
     const std::int32_t w = w2 <= 0 ? 0 : quick_root(static_cast<std::uint64_t>(w2));
     return {base_ + upper(c_.alpha, bar), upper(c_.beta, w), w2 >= wide ? c_.sure : error_of(w)};
   }
   [[nodiscard]] std::int32_t error_of(std::int32_t w) const {
     const std::int32_t dw =
-        w < 1 << 18 ? 1 << 19 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(w) >> 4)) + 6;
-    return 6 + ((14 + 2 * dw) >> (c_.fraction - place_bits));
+        w < 1 << 18 ? 1 << 19 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(w) >> 3)) + 6;
+    return 6 + ((4 + dw) >> (c_.fraction - place_bits));
   }
   static std::int32_t upper(std::int32_t a, std::int32_t b) {
     return static_cast<std::int32_t>(static_cast<std::int64_t>(a) * b >> 32);
@@ -251,11 +256,11 @@ class SphereSpan {
                                               Interval* out) const {
     const std::int32_t unsure = 2 * error;
     const std::int32_t base = base_ + error + one_dot - 1;
-    const std::int32_t lift = lift_, alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
-    const std::int64_t reach = reach_;
+    const std::int32_t alpha = c_.alpha, beta = c_.beta, x0 = x0_, x1 = x1_;
+    const std::int64_t chord = chord_;
     for (; !sweep.done(); sweep.k = edge(sweep.k + sweep.step, sweep.step)) {
-      const std::int32_t c = static_cast<std::int32_t>(bar_of(sweep.k) >> 32) - lift;
-      const std::int64_t w2 = reach - static_cast<std::int64_t>(c) * c;
+      const std::int32_t c = bar_of(sweep.k);
+      const std::int64_t w2 = chord - static_cast<std::int64_t>(c) * c;
       if (w2 < least) break;
       const std::int32_t half = upper(beta, root(static_cast<std::uint64_t>(w2)));
       const std::int32_t centre = base + upper(alpha, c);
@@ -297,31 +302,48 @@ class SphereSpan {
   [[nodiscard, gnu::noinline]] std::int32_t level_at(std::int32_t x) const {
     const auto xi =
         static_cast<std::int32_t>((static_cast<std::int64_t>(x - job_.face.origin_x) << c_.fraction) - centre_);
-    const std::int64_t s2 = std::max<std::int64_t>(chord_ - static_cast<std::int64_t>(xi) * xi, 1);
-    const std::int32_t s = quick_root(static_cast<std::uint64_t>(s2));
-    const auto v =
-        static_cast<std::int32_t>((static_cast<std::int64_t>(c_.a) * xi + static_cast<std::int64_t>(c_.b) * s +
-                                   static_cast<std::int64_t>(c_.c) * eta_) >>
-                                  30);
+    const Levels at = levels_of(c_.a, xi, c_.b, chord_ - static_cast<std::int64_t>(xi) * xi);
+    return level_between(job_, x, y_, at.low, at.high);
+  }
+  // The last boundary that the line may have: its brightest point, or the darkest one, shows it, be it seen or not. With the light across
+  // the line its dots are all alike.
+  [[nodiscard]] std::int32_t last_level(std::int32_t level) const {
+    if (c_.reach == 0) return is_dark() ? level + 1 : level;
+    const Levels at = levels_of(0, 0, is_dark() ? -c_.reach : c_.reach, chord_);
+    return is_dark() ? at.low + 1 : at.high;
+  }
+  struct Levels {
+    std::int32_t low, high;
+  };
+  // Between which a xi + b s + c eta lies.
+  [[nodiscard, gnu::noinline]] Levels levels_of(std::int32_t a, std::int32_t xi, std::int32_t b,
+                                                std::int64_t s2) const {
+    const std::int32_t s = quick_root(static_cast<std::uint64_t>(std::max<std::int64_t>(s2, 1)));
+    const auto v = static_cast<std::int32_t>((static_cast<std::int64_t>(a) * xi + static_cast<std::int64_t>(b) * s +
+                                              static_cast<std::int64_t>(c_.c) * eta_) >>
+                                             30);
     const std::int32_t ds =
         s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(s) >> 3)) + 6;
+    const auto dv = static_cast<std::int32_t>(static_cast<std::int64_t>(c_.reach) * ds >> 30);  // |b| <= reach
     const std::int64_t level = c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32);
-    const std::int32_t error = 6 + ((ds + 11) >> 5);
-    return level_between(job_, x, y_, clamped((level - error) >> 16), clamped((level + error) >> 16));
+    const auto error =
+        static_cast<std::int32_t>(6 + (std::uint64_t{c_.level_slope} * static_cast<std::uint32_t>(dv + 12) >> 32));
+    return {clamped((level - error) >> 16), clamped((level + error) >> 16)};
   }
   [[nodiscard]] std::int32_t clamped(std::int64_t level) const {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(level, job_.table.ambient_level, job_.table.top_level));
   }
 
-  static constexpr std::int64_t slack = std::int64_t{1} << 35;   // error of w^2
+  static constexpr std::int64_t slack = std::int64_t{1} << 34;   // error of w^2
   static constexpr std::int64_t wide = std::int64_t{1} << 56;    // w^2 of a quarter of the radius or more
   static constexpr std::int64_t narrow = std::int64_t{1} << 48;  // ... of a 64th
 
   const ShadeJob& job_;
   const SphereContours& c_;
   std::int32_t y_, x0_, x1_;
-  std::int32_t eta_, lift_, base_;
-  std::int64_t centre_, chord_, reach_;
+  std::int32_t eta_, base_;
+  std::int64_t centre_, chord_;
+  std::uint64_t bar_step_, bar_at_;  // C of level k is k step - at, with 32 bits of fraction
   bool is_near_;
 };
 

@@ -39,16 +39,16 @@ class LevelEdges {
 
   // The first at or above level k, 0 <= k <= levels; the last at or below.
   [[nodiscard]] std::int32_t from(std::int32_t k) const {
-    std::int32_t i = k / 32;
-    std::uint32_t bits = words_[i] >> k % 32 << k % 32;
-    while (bits == 0) bits = words_[++i];
-    return 32 * i + std::countr_zero(bits);
+    const std::uint32_t* at = words_ + (static_cast<std::uint32_t>(k) >> 5);
+    std::uint32_t bits = *at & 0xffffffffU << (k & 31);
+    while (bits == 0) bits = *++at;
+    return static_cast<std::int32_t>(at - words_) * 32 + std::countr_zero(bits);
   }
   [[nodiscard]] std::int32_t to(std::int32_t k) const {
-    std::int32_t i = k / 32;
-    std::uint32_t bits = words_[i] & 0xffffffffU >> (31 - k % 32);
-    while (bits == 0) bits = words_[--i];
-    return 32 * i + 31 - std::countl_zero(bits);
+    const std::uint32_t* at = words_ + (static_cast<std::uint32_t>(k) >> 5);
+    std::uint32_t bits = *at & 0xffffffffU >> (~k & 31);
+    while (bits == 0) bits = *--at;
+    return static_cast<std::int32_t>(at - words_) * 32 + 31 - std::countl_zero(bits | 1);  // without a test for 0
   }
 
  private:

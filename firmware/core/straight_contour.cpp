@@ -77,21 +77,29 @@ class StraightSpan {
   }
 
   // Leaves out entries to a level that looks like the last one: these matter nowhere, as beside its interval, and in it, the level is one of
-  // both. Without a branch, which would often be mispredicted.
+  // both.
   template <class Run>
-  void paint_edges(Run& run, std::int32_t before, const std::uint32_t* at, const std::uint32_t* end) {
-    const PatternRow* const looks = job_.painter.looks();
-    std::int32_t* const edges = job_.scratch.data();
-    const auto room = static_cast<std::ptrdiff_t>(job_.scratch.size());
+  void paint_edges(Run& run, std::int32_t level, const std::uint32_t* at, const std::uint32_t* end) {
+    const LevelEdges edges = job_.painter.edges();
+    std::int32_t* const shown = job_.scratch.data();
+    const std::int32_t* const room = shown + job_.scratch.size();
     while (at != end) {
-      std::int32_t* to = edges;
-      for (const std::uint32_t* const stop = at + std::min(end - at, room); at != stop; ++at) {
-        const std::int32_t level = level_of(*at);
-        *to = static_cast<std::int32_t>(*at);
-        to += static_cast<int>(level == before) | static_cast<int>(looks[level] != looks[before]);
-        before = level;
+      std::int32_t* to = shown;
+      while (at != end && to != room) {
+        const std::int32_t rise = level_of(*at) - level;
+        // Entries to levels that look alike, as far as they go on as the first does. As levels change by one at most, all do if the last does.
+        const std::int32_t alike = rise > 0   ? edges.from(level + 1) - level - 1
+                                   : rise < 0 ? level - edges.to(level)
+                                              : 0;
+        std::int32_t hop = std::min(alike, static_cast<std::int32_t>(end - at) - 1);
+        if (level_of(at[hop]) != level + (hop + 1) * rise) {
+          for (hop = 0; level_of(at[hop + 1]) - level_of(at[hop]) == rise;) ++hop;
+        }
+        at += hop;
+        if (hop == alike) *to++ = static_cast<std::int32_t>(*at);
+        level = level_of(*at++);
       }
-      paint(run, edges, to);
+      paint(run, shown, to);
     }
   }
 

@@ -133,6 +133,12 @@ Lighting some_lighting(Dice& dice) {
     case 2:
       l.light[2] = static_cast<std::int32_t>(between(dice, -3, 3));
       break;
+    case 3: {  // near the normal of lines of the page, or on it
+      const auto most = static_cast<std::int32_t>(between(dice, 0, 12));
+      l.light[0] >>= most;
+      l.light[2] >>= between(dice, most, 16);
+      break;
+    }
     default:
       break;
   }
