@@ -493,8 +493,8 @@ bool make_quotient_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std
   const FaceRows rows(job.face, x, y);
   const RealVector& depth = rows.row[2];
   const Pencil pencil = QuotientCentre(rows).pencil(depth);
-  ArcEnd a{Real(-(3 * (x - x0) + (x1 - x0) + 64)), {}};
-  ArcEnd b{Real(3 * (x1 - x) + (x1 - x0) + 64), {}};
+  ArcEnd a{Real(-(3 * (x - x0) + 64)), {}};
+  ArcEnd b{Real(3 * (x1 - x) + 64), {}};
   if (const int rise = depth[1].sign() * depth[0].sign(); rise != 0) {
     const Real limb = -depth[0] / depth[1];
     if (rise > 0 && (limb - a.x).sign() > 0) a.x = limb;
