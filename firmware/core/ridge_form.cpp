@@ -106,17 +106,17 @@ RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
     : forms_(forms), line_(line), tau_shift_(30 - line.half_bits), shear_bits_(line.shear_bits) {
   const Terms d(line.d, line.half_bits);
   root_shift_ = bits(d.size()) > 60 ? 1 : 0;
-  for (int i = 0; i < 3; ++i) d_[i] = d.cut<std::int32_t>(i, 30 + 2 * root_shift_);
   if (shear_bits_ == 0) {
-    load();
+    const int down = 30 + 2 * root_shift_;
+    load({d.cut<std::int32_t>(0, down), d.cut<std::int32_t>(1, down), d.cut<std::int32_t>(2, down)});
   } else {
     load_sheared();
   }
 }
 
-void RidgeForm::load() {
+void RidgeForm::load(const std::int32_t (&d)[3]) {
   const int hb = line_.half_bits;
-  (void)load_slope(alpha_, beta_, d_, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
+  (void)load_slope(alpha_, beta_, d, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
   form_error_ = plain_error;
 }
 

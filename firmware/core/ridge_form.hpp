@@ -69,7 +69,7 @@ class RidgeForm {
     }
   };
 
-  void load();
+  void load(const std::int32_t (&d)[3]);  // of D's terms
   void load_sheared();
   [[gnu::noinline]] void shear(RidgeDot& p, std::int32_t t) const;
   [[nodiscard]] std::int32_t beta_at(std::int32_t tau) const {
@@ -87,7 +87,7 @@ class RidgeForm {
   const LineForms& line_;
   int tau_shift_, root_shift_, shear_bits_;
   std::int32_t form_error_;  // of w, where s is exact
-  std::int32_t d_[3], alpha_[3], beta_[2];
+  std::int32_t alpha_[3], beta_[2];
 };
 
 }  // namespace halfspace

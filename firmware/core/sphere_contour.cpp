@@ -123,12 +123,11 @@ class SphereSpan {
         (static_cast<std::int64_t>(job.face.origin_x) << place_bits) + (centre_ >> (c.fraction - place_bits));
     constexpr std::int64_t far = std::int64_t{41000} << place_bits;
     is_near_ = base > -far && base < far;
-    const auto bar_slope = static_cast<std::uint64_t>(c.bar_slope);
-    bar_step_ = bar_slope * static_cast<std::uint32_t>(job.lighting.unit);
-    bar_at_ =
-        bar_slope * static_cast<std::uint64_t>(static_cast<std::int64_t>(job.table.levels - 1) * job.lighting.ambient) +
-        c.lift_slope * static_cast<std::uint64_t>(up) + c.lift_at;
     base_ = static_cast<std::int32_t>(base);
+    const std::int64_t ambient = static_cast<std::int64_t>(job.table.levels - 1) * job.lighting.ambient;
+    bar_step_ = c.bar_slope * static_cast<std::uint32_t>(job.lighting.unit);
+    bar_at_ =
+        c.bar_slope * static_cast<std::uint64_t>(ambient) + c.lift_slope * static_cast<std::uint64_t>(up) + c.lift_at;
   }
   // A line that grazes the sphere, or a job that lies.
   [[nodiscard]] bool is_usable() const { return is_near_ && eta_ < c_.radius && eta_ > -c_.radius; }
