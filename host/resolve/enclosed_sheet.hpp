@@ -17,8 +17,8 @@ struct Box {
   double x0, y0, x1, y1;
 };
 
-// A quadratic in x on one scan line, |b| and |c| at most as large as the sums behind them: centre and radius, half the work of operations on
-// intervals, with a bound for every rounding.
+// A quadratic a x^2 + b x + c on one scan line; b and c are sums, whose terms' sizes add up to size_of_b and size_of_c. `over` adds a bound for
+// every rounding: centre and radius, half the work of operations on intervals.
 class QuadraticOnLine {
  public:
   QuadraticOnLine() = default;
