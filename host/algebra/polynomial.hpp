@@ -15,6 +15,12 @@ inline void add_product(mpz_class& sum, const mpz_class& a, const mpz_class& b) 
   mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
 }
 
+// value = value y + c: a step of Horner's scheme.
+inline void times_plus(mpz_class& value, long y, const mpz_class& c) {
+  mpz_mul_si(value.get_mpz_t(), value.get_mpz_t(), y);
+  value += c;
+}
+
 [[nodiscard]] Polynomial trimmed(Polynomial p);
 [[nodiscard]] int degree(const Polynomial& p);  // -1 for zero
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "host/resolve/interval_polynomial.hpp"
 
 namespace halfspace {
 namespace {
@@ -103,52 +106,78 @@ double bound_of_roots(const Doubles& f) {
   return most < -1000 ? 1 : std::ldexp(2.0, std::min(most, 1000));
 }
 
-Interval value_at(const std::vector<Interval>& f, double x) {
+Interval value_at(const IntervalPolynomial& f, double x) {
   Interval value{};
-  for (std::size_t i = f.size(); i-- > 0;) value = value * Interval{x, x} + f[i];
+  for (std::size_t i = f.size; i-- > 0;) value = value * Interval{x, x} + f.c[i];
   return value;
 }
 
-bool changes_sign(const std::vector<Interval>& f, const Interval& x) {
+bool changes_sign(const IntervalPolynomial& f, const Interval& x) {
   const Interval low = value_at(f, x.low);
   const Interval high = value_at(f, x.high);
   return (low.positive() && high.negative()) || (low.negative() && high.positive());
 }
 
+mpz_class multiple(int factor, const mpz_class& a) { return factor * a; }
+Interval multiple(int factor, const Interval& a) {
+  return Interval{static_cast<double>(factor), static_cast<double>(factor)} * a;
+}
+
+std::optional<int> sign_of(const mpz_class& a) { return sgn(a); }
+std::optional<int> sign_of(const Interval& a) {
+  if (a.may_vanish() && !a.is_zero()) return std::nullopt;
+  return a.positive() ? 1 : a.negative() ? -1 : 0;
+}
+
+// As count_of_real_roots, of a x^3 + b x^2 + c x + d; nothing where signs are unknown.
+template <class Number>
+std::optional<int> count_of_third_order(const Number& a, const Number& b, const Number& c, const Number& d) {
+  const Number bc = b * c;
+  const Number mixed = bc * (multiple(18, a * d) + bc);
+  const Number cubes = b * b * b * d + a * c * c * c;
+  const Number discriminant = mixed - multiple(4, cubes) - multiple(27, a * a * d * d);
+  const auto sign = sign_of(discriminant);
+  if (!sign) return std::nullopt;
+  return *sign == 0 ? -1 : *sign > 0 ? 3 : 1;
+}
+
+// The same of a x^4 + b x^3 + c x^2 + d x + e.
+template <class Number>
+std::optional<int> count_of_fourth_order(const Number& a, const Number& b, const Number& c, const Number& d,
+                                         const Number& e) {
+  const Number bb = b * b;
+  const Number ac = a * c;
+  const Number i = multiple(12, a * e) - multiple(3, b * d) + c * c;
+  const Number j =
+      multiple(72, ac * e) + multiple(9, b * c * d) - multiple(27, a * d * d + bb * e) - multiple(2, c * c * c);
+  const auto discriminant = sign_of(Number(multiple(4, i * i * i) - j * j));
+  if (!discriminant) return std::nullopt;
+  if (*discriminant <= 0) return *discriminant == 0 ? -1 : 2;
+  const auto first = sign_of(Number(multiple(8, ac) - multiple(3, bb)));
+  if (first && *first >= 0) return 0;
+  const Number aa = a * a;
+  const auto second =
+      sign_of(Number(multiple(64, aa * a * e) + multiple(16, bb * ac - ac * ac - aa * b * d) - multiple(3, bb * bb)));
+  if (second && *second >= 0) return 0;
+  if (!first || !second) return std::nullopt;
+  return 4;
+}
+
 }  // namespace
 
 int count_of_real_roots(const Polynomial& f) {
-  const mpz_class& a = f[f.size() - 1];
-  const mpz_class& b = f[f.size() - 2];
-  const mpz_class& c = f[f.size() - 3];
-  const mpz_class& d = f[f.size() - 4];
-  if (f.size() == 4) {
-    const mpz_class discriminant =
-        b * c * (18 * a * d + b * c) - 4 * (b * b * b * d + a * c * c * c) - 27 * a * a * d * d;
-    return sgn(discriminant) == 0 ? -1 : sgn(discriminant) > 0 ? 3 : 1;
-  }
-  const mpz_class& e = f[0];
-  const mpz_class bb = b * b;
-  const mpz_class ac = a * c;
-  const mpz_class i = 12 * a * e - 3 * b * d + c * c;
-  const mpz_class j = 72 * ac * e + 9 * b * c * d - 27 * (a * d * d + bb * e) - 2 * c * c * c;
-  const int discriminant = cmp(4 * i * i * i, j * j);
-  if (discriminant <= 0) return discriminant == 0 ? -1 : 2;
-  const bool all_real =
-      sgn(mpz_class(8 * ac - 3 * bb)) < 0 &&
-      sgn(mpz_class(64 * a * a * a * e - 16 * ac * ac + 16 * bb * ac - 16 * a * a * b * d - 3 * bb * bb)) < 0;
-  return all_real ? 4 : 0;
+  const auto count = [order = f.size() - 1](const auto& c) {
+    return order == 3 ? count_of_third_order(c[3], c[2], c[1], c[0])
+                      : count_of_fourth_order(c[4], c[3], c[2], c[1], c[0]);
+  };
+  const auto certain = count(enclosed(f).c);
+  return certain ? *certain : count(f).value();
 }
 
 std::vector<Interval> certain_sign_changes(const Polynomial& f) {
-  std::size_t bits = 0;
-  for (const mpz_class& c : f) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
-  std::vector<Interval> enclosed;
+  const IntervalPolynomial near = enclosed(f);
   Doubles rounded;
-  for (const mpz_class& c : f) {
-    enclosed.push_back(enclosure(c, static_cast<long>(bits)));
-    rounded.push_back((enclosed.back().low + enclosed.back().high) / 2);
-  }
+  for (std::size_t i = 0; i < near.size; ++i) rounded.push_back((near.c[i].low + near.c[i].high) / 2);
   const double bound = bound_of_roots(rounded);
   if (!(bound < 0x1p60)) return {};  // keeps every product in the enclosures finite
   std::vector<Interval> found;
@@ -157,10 +186,10 @@ std::vector<Interval> certain_sign_changes(const Polynomial& f) {
     const double x = near_roots.c[i];
     double radius = std::abs(x) * 0x1p-48 + 0x1p-60;
     for (int attempt = 0; attempt < 6; ++attempt, radius *= 64) {
-      const Interval near{x - radius, x + radius};
-      if (!found.empty() && !(found.back().high < near.low)) break;
-      if (!changes_sign(enclosed, near)) continue;
-      found.push_back(near);
+      const Interval around{x - radius, x + radius};
+      if (!found.empty() && !(found.back().high < around.low)) break;
+      if (!changes_sign(near, around)) continue;
+      found.push_back(around);
       break;
     }
   }

@@ -23,8 +23,8 @@ struct ProvedWindow {
 // Windows for one root of a form.
 class Windows {
  public:
-  Windows(const FormOnSheet& form, int rank, KnownLines& lines, QuarticTable& table)
-      : form_(form), rank_(rank), lines_(lines), table_(table), n_(form.has_limb() ? form.value().n : form.part) {
+  Windows(const FormOnSheet& form, const EnclosedForm& near, int rank, KnownLines& lines)
+      : form_(form), near_(near), rank_(rank), lines_(lines), n_(form.has_limb() ? form.value().n : form.part->form()) {
     if (!form.has_limb()) return;
     d_.emplace(as_quartic(form.sheets->d));
     p_.emplace(as_quartic(form.value().p));
@@ -63,8 +63,8 @@ class Windows {
   Line line(std::int64_t y) {
     auto at = lines_.find(y);
     if (at == lines_.end()) {
-      ValueOnLine value(*form_.sheets, form_.value(), static_cast<long>(y));
-      std::vector<Obstacle> obstacles = obstacles_on_line(form_, y, value, table_);
+      ValueOnLine value(*form_.sheets, form_.value(), y, &near_);
+      std::vector<Obstacle> obstacles = obstacles_on_line(form_, y, value);
       at = lines_.emplace(y, KnownLine{std::move(value), std::move(obstacles)}).first;
     }
     const KnownLine& known = at->second;
@@ -87,46 +87,55 @@ class Windows {
     const LineRoot& x = at.obstacles[at.root].x;
     const LineRoot beside =
         at.root == 0 ? rational_root(floor_of(x) - 1, 1) : rational_between(at.obstacles[at.root - 1].x, x);
-    if (!form_.has_limb()) return sign_at(restricted(form_.part, static_cast<long>(y)), beside) < 0;
+    if (!form_.has_limb()) return sign_at(restricted(form_.part->form(), y), beside) < 0;
     return at.value.sign(form_.sheet, beside) < 0;
   }
 
+  // The first, the middle and the last line of a window.
+  struct Sampled {
+    std::array<std::int64_t, 3> y;
+    std::array<Line, 3> at;
+  };
+
   // Beyond the limb that is counted as missing nothing is asked; at the other side's limb a separator comes first.
   bool add_window(std::int64_t y0, std::int64_t y1, bool rising) {
-    const Line first = line(y0);
+    const std::int64_t middle = y0 + (y1 - y0) / 2;
+    const Sampled lines{{y0, middle, y1}, {line(y0), line(middle), line(y1)}};
+    const Line& first = lines.at.front();
     const bool left = first.root > 0 && first.obstacles[first.root - 1].limb;
     const bool right = first.root + 1 < first.obstacles.size() && first.obstacles[first.root + 1].limb;
-    if (!left && !right) return add_window(y0, y1, rising, std::nullopt);
-    if (left != right) return add_window(y0, y1, rising, right);
+    if (!left && !right) return add_window(lines, rising, std::nullopt);
+    if (left != right) return add_window(lines, rising, right);
     const bool as_before = !windows_.empty() && windows_.back().missing_right.value_or(false);
-    return add_window(y0, y1, rising, as_before) || add_window(y0, y1, rising, !as_before);
+    return add_window(lines, rising, as_before) || add_window(lines, rising, !as_before);
   }
 
-  bool add_window(std::int64_t y0, std::int64_t y1, bool rising, std::optional<bool> missing_right) {
-    ProvedWindow next{{static_cast<std::int32_t>(y0), static_cast<std::int32_t>(y1), {}, {}}, rising, missing_right};
-    if (!separate(y0, y1, -1, missing_right == false, next.window.left)) return false;
-    if (!separate(y0, y1, 1, missing_right == true, next.window.right)) return false;
+  bool add_window(const Sampled& lines, bool rising, std::optional<bool> missing_right) {
+    const auto row = [&lines](std::size_t i) { return static_cast<std::int32_t>(lines.y[i]); };
+    ProvedWindow next{{row(0), row(2), {}, {}}, rising, missing_right};
+    if (!separate(lines, -1, missing_right == false, next.window.left)) return false;
+    if (!separate(lines, 1, missing_right == true, next.window.right)) return false;
     windows_.push_back(next);
     return true;
   }
 
   // The separator on one side (-1 left, 1 right), if one is needed; false if none was found.
-  bool separate(std::int64_t y0, std::int64_t y1, int side, bool missing, std::optional<Separator>& found) {
-    const Line first = line(y0);
+  bool separate(const Sampled& lines, int side, bool missing, std::optional<Separator>& found) {
+    const Line& first = lines.at.front();
     const auto exists = [&first, side](std::size_t steps) {
       return side < 0 ? first.root >= steps : first.root + steps < first.obstacles.size();
     };
     const std::size_t near = missing ? 1 : 0;  // obstacles between the root and the separator: the limb, or none
     if (!exists(near + 1)) return true;
     Channel channel;
-    for (const std::int64_t y : {y0, y0 + (y1 - y0) / 2, y1}) {
-      const Line here = line(y);
+    for (std::size_t i = 0; i < lines.at.size(); ++i) {
+      const Line& here = lines.at[i];
       const LineRoot& inner = here.obstacles[moved(here.root, side, near)].x;
       const LineRoot& outer = here.obstacles[moved(here.root, side, near + 1)].x;
-      channel.add(y, side < 0 ? outer : inner, side < 0 ? inner : outer);
+      channel.add(lines.y[i], side < 0 ? outer : inner, side < 0 ? inner : outer);
     }
     found = channel.separator();
-    return found && channel.holds(*found) && is_clear(*found, y0, y1);
+    return found && channel.holds(*found) && is_clear(*found, lines.y.front(), lines.y.back());
   }
 
   static std::size_t moved(std::size_t root, int side, std::size_t steps) {
@@ -158,9 +167,9 @@ class Windows {
   }
 
   const FormOnSheet& form_;
+  const EnclosedForm& near_;
   int rank_;
   KnownLines& lines_;
-  QuarticTable& table_;
   Tested n_;  // the form, or on two sheets P^2 - R^2 d
   std::optional<Tested> d_, p_, r_;
   std::vector<ProvedWindow> windows_;
@@ -192,32 +201,32 @@ std::vector<GuidedRun> joined(const std::vector<ProvedWindow>& windows) {
 }
 
 std::variant<Curve, RadicalForm, QuarticForm> form_of(const FormOnSheet& form) {
-  if (!form.has_limb()) return form.part;
+  if (!form.has_limb()) return form.part->form();
   const Constraint& k = form.value();
   return RadicalForm{k.p, (form.sheet == Sheet::front ? -1 : 1) * k.r, form.sheets->d};
 }
 
-std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent, QuarticTable& table) {
+std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent) {
   BoundingCurves bounds;
-  bounds.quartics.push_back({form.part, {form.constraint}, std::nullopt});
+  bounds.quartics.push_back({form.part, {form.constraint}, {form.others}, std::nullopt});
   if (form.has_limb()) {
     bounds.quartics.back().radical = Radical{form.value().p, form.value().r};
-    trace(form.sheets->d, Section{Curve{}, 1}, false, bounds.curves);
-    for (const Curve& other : form.others) trace(other, std::nullopt, false, bounds.curves);
+    trace_own(form.sheets->d, Section{Curve{}, 1}, bounds.curves);
+    for (const Curve& other : *form.others) trace(other, std::nullopt, false, form.constraint, bounds.curves);
   }
-  return scan_rows(critical_marks(bounds, {}, table, extent.y0, extent.y1), extent.y0, extent.y1);
+  return scan_rows(critical_marks(bounds, {}, extent.y0, extent.y1), extent.y0, extent.y1);
 }
 
 }  // namespace
 
-ArcGuide::ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table)
-    : form_on_sheet_(std::move(form)),
+ArcGuide::ArcGuide(const FormOnSheet& form, const Extent& extent)
+    : form_on_sheet_(form),
+      near_(*form_on_sheet_.sheets, form_on_sheet_.value()),
       form_(form_of(form_on_sheet_)),
-      rows_(rows_of(form_on_sheet_, extent, table)),
-      table_(table) {}
+      rows_(rows_of(form_on_sheet_, extent)) {}
 
 std::vector<GuidedRun> ArcGuide::runs(std::uint32_t rank, std::int64_t y0, std::int64_t y1) {
-  Windows windows(form_on_sheet_, static_cast<int>(rank), lines_, table_);
+  Windows windows(form_on_sheet_, near_, static_cast<int>(rank), lines_);
   for (const ScanRow& row : rows_) {
     const std::int64_t first = std::max(y0, row.y0);
     const std::int64_t last = std::min(y1, row.y1);

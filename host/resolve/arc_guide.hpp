@@ -36,8 +36,8 @@ using KnownLines = std::map<std::int64_t, KnownLine>;
 // The roots of one constraint of degree three or four on one sheet.
 class ArcGuide {
  public:
-  // Keeps a pointer to the form's sheets, and the table.
-  ArcGuide(FormOnSheet form, const Extent& extent, QuarticTable& table);
+  // Keeps the form's pointers.
+  ArcGuide(const FormOnSheet& form, const Extent& extent);
 
   [[nodiscard]] const std::variant<Curve, RadicalForm, QuarticForm>& form() const { return form_; }
 
@@ -46,10 +46,10 @@ class ArcGuide {
 
  private:
   FormOnSheet form_on_sheet_;
+  EnclosedForm near_;
   std::variant<Curve, RadicalForm, QuarticForm> form_;
   std::vector<ScanRow> rows_;  // of this form alone
   KnownLines lines_;
-  QuarticTable& table_;
 };
 
 }  // namespace halfspace

@@ -16,8 +16,8 @@ std::uint32_t ArcTable::curve_index(const Curve& curve) {
   return static_cast<std::uint32_t>(found - curves_.begin());
 }
 
-std::uint32_t ArcTable::add_guide(FormOnSheet form) {
-  guided_.push_back(std::move(form));
+std::uint32_t ArcTable::add_guide(const FormOnSheet& form) {
+  guided_.push_back(form);
   return static_cast<std::uint32_t>(guided_.size() - 1);
 }
 
@@ -25,7 +25,7 @@ void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
   if (name.curve != no_arc) runs_[name].push_back({y0, y1, no_arc});
 }
 
-void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table, std::vector<Arc>& arcs) {
+void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs) {
   std::map<std::uint32_t, ArcGuide> guides;
   for (auto& [name, runs] : runs_) {
     std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.y0 < b.y0; });
@@ -39,7 +39,7 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable&
     }
     runs.clear();
     for (const Run& run : joined) {
-      for (Arc& arc : arcs_of(name, run, guides, extent, table)) {
+      for (Arc& arc : arcs_of(name, run, guides, extent)) {
         runs.push_back({arc.y0, arc.y1, static_cast<std::uint32_t>(arcs.size())});
         arc.body = body;
         arcs.push_back(std::move(arc));
@@ -49,13 +49,13 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, QuarticTable&
 }
 
 std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
-                                   const Extent& extent, QuarticTable& table) const {
+                                   const Extent& extent) const {
   std::vector<Arc> arcs;
   if (!name.guided) {
     arcs.push_back({0, curve_of(name), name.branch, {}, run.y0, run.y1});
     return arcs;
   }
-  ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent, table).first->second;
+  ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent).first->second;
   const auto page_line = [this](std::int64_t y) { return static_cast<std::int32_t>(y + origin_y_); };
   for (GuidedRun& part : guide.runs(name.rank, run.y0 - origin_y_, run.y1 - origin_y_)) {
     for (Window& window : part.guide.windows) {

@@ -33,10 +33,9 @@ class ArcTable {
   explicit ArcTable(std::int64_t origin_y) : origin_y_(origin_y) {}
 
   [[nodiscard]] std::uint32_t curve_index(const Curve& curve);
-  [[nodiscard]] std::uint32_t add_guide(FormOnSheet form);
+  [[nodiscard]] std::uint32_t add_guide(const FormOnSheet& form);
   void use(const ArcName& name, std::int32_t y0, std::int32_t y1);
-  void join_uses(std::uint32_t body, const Extent& extent, QuarticTable& table,
-                 std::vector<Arc>& arcs);  // once, after every use
+  void join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs);  // once, after every use
 
   // The arc on line y and its last line; no_arc for a side without one.
   struct Piece {
@@ -52,7 +51,7 @@ class ArcTable {
   };
   [[nodiscard]] Curve curve_of(const ArcName& name) const;
   [[nodiscard]] std::vector<Arc> arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
-                                         const Extent& extent, QuarticTable& table) const;
+                                         const Extent& extent) const;
 
   std::int64_t origin_y_;
   std::vector<Curve> curves_;

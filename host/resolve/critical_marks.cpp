@@ -9,36 +9,67 @@ namespace halfspace {
 namespace {
 
 // Where the derivative in x of a curve of second order in x is 0.
-Curve turning_line(const Curve& p) { return {{0, 0, 0, 2 * p.q[0], p.q[1], p.q[3]}}; }
+IntervalCurve turning_line(const IntervalCurve& p) {
+  const Interval slope{2 * p.q[0].low, 2 * p.q[0].high};
+  return {{Interval{}, Interval{}, Interval{}, slope, p.q[1], p.q[3]}, true};
+}
 
 // A polynomial in y that vanishes where a line and a curve meet.
 Polynomial crossing_lines(const Curve& line, const Curve& p) {
   return sgn(line.q[3]) == 0 ? turning_lines(line) : meeting_lines(line, p);
 }
 
-// A conic that meets a curve, and a polynomial in y that vanishes where they meet.
-struct ConicMeeting {
-  Curve conic;
-  Polynomial lines;
+bool has_no_x(const Curve& p) { return sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[3]) == 0; }
+
+// Two curves that meet where a polynomial in y vanishes; where p has no x, wherever p is. Keeps references.
+class Meeting {
+ public:
+  Meeting(const Curve& p, const IntervalCurve& near_p, const TracedCurve& q) : p_(p), near_p_(near_p), q_(q) {
+    lines_ = has_no_x(p_) ? enclosed(exact_lines()) : meeting_lines(near_p, q.enclosed);
+  }
+
+  [[nodiscard]] const IntervalCurve& p() const { return near_p_; }
+  [[nodiscard]] const IntervalCurve& q() const { return q_.enclosed; }
+  [[nodiscard]] bool have_common_component() const {
+    const auto end = lines_.c.begin() + static_cast<std::ptrdiff_t>(lines_.size);
+    return lines_.size > 0 && std::all_of(lines_.c.begin(), end, [](const Interval& c) { return c.may_vanish(); }) &&
+           degree(exact_lines()) < 0;
+  }
+  [[nodiscard]] std::vector<Mark> marks(std::int64_t y0, std::int64_t y1) const {
+    return root_marks(
+        lines_, [this] { return exact_lines(); }, y0, y1);
+  }
+
+ private:
+  [[nodiscard]] Polynomial exact_lines() const {
+    return has_no_x(p_) ? turning_lines(p_) : meeting_lines(p_, q_.curve);
+  }
+
+  const Curve& p_;
+  const IntervalCurve& near_p_;
+  const TracedCurve& q_;
+  IntervalPolynomial lines_;
 };
 
-// Where a quartic P^2 = R^2 d meets a section line^2 = factor^2 d: on one of the conics factor P = +-R line, so that nothing above
-// degree four is needed. Nothing if such a conic holds the section.
-std::optional<std::vector<ConicMeeting>> meeting_with_section(const TracedQuartic& quartic, const TracedCurve& traced) {
+// A curve and its enclosure.
+struct Conic {
+  Curve curve;
+  IntervalCurve enclosed;
+};
+
+// A quartic P^2 = R^2 d meets a section line^2 = factor^2 d on one of these, factor P = +-R line, so that nothing above degree four is needed.
+// None known: nothing.
+std::optional<std::vector<Conic>> conics_through_meeting(const TracedQuartic& quartic, const TracedCurve& traced) {
   if (!quartic.radical || !traced.section) return std::nullopt;
   const Curve first = traced.section->factor * quartic.radical->p;
   const Curve second = product_of_lines(quartic.radical->r, traced.section->line);
-  std::vector<ConicMeeting> meetings;
+  std::vector<Conic> conics;
   for (const Curve& conic : {first - second, first + second}) {
     if (is_zero(conic)) return std::nullopt;
-    if (is_constant(conic)) continue;
-    const bool without_x = sgn(conic.q[0]) == 0 && sgn(conic.q[1]) == 0 && sgn(conic.q[3]) == 0;
-    meetings.push_back({conic, without_x ? turning_lines(conic) : meeting_lines(conic, traced.curve)});
-    if (meetings.back().lines.empty()) continue;  // the section has no x: its turning lines hold all its points
-    if (degree(meetings.back().lines) < 0) return std::nullopt;
+    if (!is_constant(conic)) conics.push_back({conic, interval_curve(conic)});
     if (is_zero(second)) break;
   }
-  return meetings;
+  return conics;
 }
 
 bool is_limb(const TracedCurve& traced) { return traced.section && is_zero(traced.section->line); }
@@ -50,26 +81,38 @@ class Search {
 
   void add_turns(const TracedCurve& p) {
     if (sgn(p.curve.q[0]) == 0) return add_all(turning_lines(p.curve));
-    add_points(turning_line(p.curve), p, [&] { return turning_lines(p.curve); });
+    add_points(turning_line(p.enclosed), p, [&] { return turning_lines(p.curve); });
   }
 
   void add_meeting(const TracedCurve& p, const TracedCurve& q) {
+    if (p.enclosed.is_line) return add_crossing(p.curve, p.enclosed, q);
+    if (q.enclosed.is_line) return add_crossing(q.curve, q.enclosed, p);
     const auto lines = lines_through_meeting(p, q);
-    if (!lines) return add_strips(p.enclosed, q.enclosed, meeting_lines(p.curve, q.curve));
-    const TracedCurve& other = p.enclosed.is_line ? q : p;
+    if (!lines) return add_strips(Meeting(p.curve, p.enclosed, q));
     for (const Curve& line : *lines) {
-      if (!is_constant(line)) add_points(line, other, [&] { return crossing_lines(line, other.curve); });
+      if (!is_constant(line)) add_crossing(line, interval_curve(line), p);
     }
   }
 
-  // Of two curves that meet where the polynomial vanishes: those of its marks whose strip holds a piece of both on the face.
-  void add_strips(const IntervalCurve& p, const IntervalCurve& q, const Polynomial& polynomial) {
-    for (const Mark mark : root_marks(polynomial, y0_, y1_)) {
-      if (may_meet_within(p, q, lines_of(mark))) marks_.push_back(mark);
+  // False if no conics are known, or one of them holds the section.
+  bool add_meeting(const TracedQuartic& quartic, const TracedCurve& other) {
+    const auto conics = conics_through_meeting(quartic, other);
+    if (!conics) return false;
+    std::vector<Meeting> meetings;
+    meetings.reserve(conics->size());
+    for (const Conic& conic : *conics) {
+      meetings.emplace_back(conic.curve, conic.enclosed, other);
+      if (meetings.back().have_common_component()) return false;
     }
+    for (const Meeting& meeting : meetings) {
+      if (is_limb(other)) {  // also off the face: there a root passes from sheet to sheet, and the next is renumbered
+        add(meeting.marks(y0_, y1_));
+      } else {
+        add_strips(meeting);
+      }
+    }
+    return true;
   }
-
-  void add_all(const Polynomial& p) { add(root_marks(p, y0_, y1_)); }
 
   void add(const std::vector<Mark>& marks) { marks_.insert(marks_.end(), marks.begin(), marks.end()); }
 
@@ -80,11 +123,24 @@ class Search {
   }
 
  private:
+  // Those of the marks whose strip holds a piece of both curves on the face.
+  void add_strips(const Meeting& meeting) {
+    for (const Mark mark : meeting.marks(y0_, y1_)) {
+      if (may_meet_within(meeting.p(), meeting.q(), lines_of(mark))) marks_.push_back(mark);
+    }
+  }
+
+  void add_all(const Polynomial& p) { add(root_marks(p, y0_, y1_)); }
+
+  void add_crossing(const Curve& line, const IntervalCurve& enclosed, const TracedCurve& p) {
+    add_points(enclosed, p, [&] { return crossing_lines(line, p.curve); });
+  }
+
   // Where the line meets the curve; `polynomial` has its roots there and is asked for when intervals are not enough.
   template <typename MakePolynomial>
-  void add_points(const Curve& line, const TracedCurve& p, const MakePolynomial& polynomial) {
+  void add_points(const IntervalCurve& line, const TracedCurve& p, const MakePolynomial& polynomial) {
     const auto reach = static_cast<double>(std::max(std::abs(y0_), std::abs(y1_)));
-    const auto points = meeting_points(interval_curve(line), p.enclosed, reach);
+    const auto points = meeting_points(line, p.enclosed, reach);
     if (!points) return add_all(polynomial());
     std::vector<Interval> unsure;
     for (std::size_t i = 0; i < static_cast<std::size_t>(points->count); ++i) {
@@ -142,7 +198,7 @@ class Search {
 }  // namespace
 
 std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
-                                 QuarticTable& table, std::int64_t y0, std::int64_t y1) {
+                                 std::int64_t y0, std::int64_t y1) {
   const std::vector<TracedCurve>& curves = bounds.curves;
   const std::vector<TracedQuartic>& quartics = bounds.quartics;
   Search search(sheets, y0, y1);
@@ -151,23 +207,12 @@ std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector
     for (std::size_t j = 0; j < i; ++j) search.add_meeting(curves[i], curves[j]);
   }
   for (std::size_t i = 0; i < quartics.size(); ++i) {
-    const QuarticForm& quartic = quartics[i].curve;
-    search.add(table.turns(quartic));
+    KnownQuartic& quartic = *quartics[i].curve;
+    search.add(quartic.turns(quartics[i].radical));
     for (const TracedCurve& other : curves) {
-      if (const auto found = meeting_with_section(quartics[i], other)) {
-        for (const ConicMeeting& meeting : *found) {
-          if (is_limb(
-                  other)) {  // also off the face: there a root passes from sheet to sheet, and the next is renumbered
-            search.add_all(meeting.lines);
-          } else {
-            search.add_strips(interval_curve(meeting.conic), other.enclosed, meeting.lines);
-          }
-        }
-      } else {
-        search.add(table.meetings(quartic, as_quartic(other.curve)));
-      }
+      if (!search.add_meeting(quartics[i], other)) search.add(quartic.meetings(other.curve));
     }
-    for (std::size_t j = 0; j < i; ++j) search.add(table.meetings(quartic, quartics[j].curve));
+    for (std::size_t j = 0; j < i; ++j) search.add(quartic.meetings(*quartics[j].curve));
   }
   return search.take();
 }

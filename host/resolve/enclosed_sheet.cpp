@@ -9,13 +9,9 @@ namespace {
 // The least e with all coefficients below 2^e.
 long exponent_of(const mpz_class& a) { return static_cast<long>(mpz_sizeinbase(a.get_mpz_t(), 2)); }
 
-long exponent_of(const Curve& p) {
-  long exponent = 0;
-  for (const mpz_class& q : p.q) exponent = std::max(exponent, exponent_of(q));
-  return exponent;
+long exponent_of(const Surface& s) {
+  return std::max({exponent_of(s.a), halfspace::exponent_of(s.b), halfspace::exponent_of(s.c)});
 }
-
-long exponent_of(const Surface& s) { return std::max({exponent_of(s.a), exponent_of(s.b), exponent_of(s.c)}); }
 
 // q / 2^exponent, truncated: relative error below 2^-52.
 double rounded(const mpz_class& q, long exponent) {
@@ -25,6 +21,12 @@ double rounded(const mpz_class& q, long exponent) {
 }
 
 }  // namespace
+
+long exponent_of(const Curve& p) {
+  long exponent = 0;
+  for (const mpz_class& q : p.q) exponent = std::max(exponent, exponent_of(q));
+  return exponent;
+}
 
 EnclosedCurve::EnclosedCurve(const Curve& p, long exponent) {
   for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = rounded(p.q[i], exponent);
@@ -109,7 +111,10 @@ bool SheetForms<Form, Place>::is_held(const ConstraintForm& k, const Interval& v
 template <class Form, class Place>
 Verdict SheetForms<Form, Place>::shows_over(const Place& place) const {
   const Own own = own_forms(place);
-  if (own.d.negative()) return Verdict::nowhere;
+  if (own.d.negative()) {
+    last_hider_ = sheet_hides;
+    return Verdict::nowhere;
+  }
   bool sure = own.exists;
   const std::size_t first = last_to_hide_;
   for (std::size_t i = 0; i < constraints_.size(); ++i) {
@@ -118,6 +123,7 @@ Verdict SheetForms<Form, Place>::shows_over(const Place& place) const {
     const Interval value = value_of(k, own, place);
     if (k.sense > 0 ? value.positive() : value.negative()) {
       last_to_hide_ = index;
+      last_hider_ = static_cast<int>(index);
       return Verdict::nowhere;
     }
     sure = sure && is_held(k, value);

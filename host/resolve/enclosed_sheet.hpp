@@ -30,6 +30,9 @@ class QuadraticOnLine {
   double a_ = 0, b_ = 0, c_ = 0, size_of_b_ = 0, size_of_c_ = 0;
 };
 
+// The least e with all coefficients below 2^e.
+[[nodiscard]] long exponent_of(const Curve& p);
+
 // A curve's polynomial with rounded coefficients, all divided by the same power of two so that they are at most 1. Bounded as above.
 class EnclosedCurve {
  public:
@@ -42,6 +45,10 @@ class EnclosedCurve {
   std::array<double, 6> q_{};
 };
 
+// What hides a point: nothing, the sheet itself, which is missing there, or the constraint of that index, which fails.
+inline constexpr int nothing_hides = -1;
+inline constexpr int sheet_hides = -2;
+
 enum class Verdict : std::uint8_t { nowhere, everywhere, unsure };
 
 // A sheet and its constraints over places: boxes of the page, or intervals of a scan line.
@@ -50,6 +57,8 @@ class SheetForms {
  public:
   // Where in the place does the sheet exist with every constraint holding?
   [[nodiscard]] Verdict shows_over(const Place& place) const;
+  // What hid the last place that was nowhere.
+  [[nodiscard]] int last_hider() const { return last_hider_; }
 
   // The same in parts, for what is asked exactly otherwise: does the sheet exist all over the place, does a constraint hold wherever it
   // does?
@@ -80,6 +89,7 @@ class SheetForms {
   Form b_, c_;  // of a rational one
   std::vector<ConstraintForm> constraints_;
   mutable std::size_t last_to_hide_ = 0;  // the constraint that is asked first: it often hides the next place too
+  mutable int last_hider_ = nothing_hides;
 };
 
 class SheetOnLine : public SheetForms<QuadraticOnLine, Interval> {

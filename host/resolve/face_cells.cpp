@@ -23,13 +23,14 @@ std::array<std::uint32_t, 3> key_of(std::uint32_t quartic, std::uint32_t constra
   return {quartic, constraint, static_cast<std::uint32_t>(sheet)};
 }
 
-void name_quartic(const Sheets& sheets, std::uint32_t quartic, std::uint32_t constraint, QuarticTable& table,
-                  FaceCurves& face, ArcTable& arcs) {
-  const QuarticForm& part = face.bounds.quartics[quartic].curve;
-  const std::vector<Curve> others = table.factors_of(sheets.constraints[constraint].n).curves;
-  for (const Sheet sheet : sheets_in(sheets)) {
-    ArcName name{arcs.add_guide({&sheets, constraint, sheet, part, others}), Branch::single, false, 0, true, 0};
-    face.guided.emplace(key_of(quartic, constraint, sheet), name);
+void name_quartic(const Sheets& sheets, std::uint32_t quartic, FaceCurves& face, ArcTable& arcs) {
+  const TracedQuartic& traced = face.bounds.quartics[quartic];
+  for (std::size_t i = 0; i < traced.constraints.size(); ++i) {
+    const std::uint32_t constraint = traced.constraints[i];
+    for (const Sheet sheet : sheets_in(sheets)) {
+      const std::uint32_t guide = arcs.add_guide({&sheets, constraint, sheet, traced.curve, traced.others[i]});
+      face.guided.emplace(key_of(quartic, constraint, sheet), ArcName{guide, Branch::single, false, 0, true, 0});
+    }
   }
 }
 
@@ -38,9 +39,7 @@ FaceCurves face_curves(const Sheets& sheets, QuarticTable& table, ArcTable& arcs
   face.bounds = bounding_curves(sheets, table);
   if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
   for (const TracedCurve& traced : face.bounds.curves) face.names.push_back(arcs.curve_index(traced.curve));
-  for (std::uint32_t i = 0; i < face.bounds.quartics.size(); ++i) {
-    for (const std::uint32_t k : face.bounds.quartics[i].constraints) name_quartic(sheets, i, k, table, face, arcs);
-  }
+  for (std::uint32_t i = 0; i < face.bounds.quartics.size(); ++i) name_quartic(sheets, i, face, arcs);
   return face;
 }
 
@@ -128,13 +127,13 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
   if (faces.empty()) return {};
   const FaceCurves face = face_curves(sheets, table, arcs);
   std::vector<CellBuilder> builders(faces.size());
-  const std::vector<Mark> marks = critical_marks(face.bounds, presences, table, extent.y0, extent.y1);
-  RowRoots finder(sheets, face.bounds, table);
+  const std::vector<Mark> marks = critical_marks(face.bounds, presences, extent.y0, extent.y1);
+  RowRoots finder(sheets, face.bounds);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
     const std::vector<RowRoot>& roots = finder.on_line(row.y0);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const Sheet sheet = faces[i].sheet;
-      auto intervals = row_intervals(roots, PresenceOnLine(presences[i], row.y0), face.pole);
+      auto intervals = row_intervals(roots, face.bounds, PresenceOnLine(presences[i], row.y0), face.pole);
       if (hidden[i]) intervals = rival_points(sheets, face.bounds, sheet, roots, row.y0, intervals);
       builders[i].add(row, named_intervals(face, sheet, roots, intervals, row.singular, extent));
     }

@@ -29,7 +29,7 @@ std::vector<LineRoot> isolated_roots(const Polynomial& f) {
   return roots;
 }
 
-std::vector<LineRoot> roots_of_second_order(const Polynomial& f) {
+std::vector<LineRoot> roots_of_second_order(Polynomial f) {
   const mpz_class e = f[1] * f[1] - 4 * f[2] * f[0];
   if (sgn(e) < 0) return {};
   if (sgn(e) == 0) return {rational_root(-f[1], 2 * f[2])};
@@ -40,11 +40,11 @@ std::vector<LineRoot> roots_of_second_order(const Polynomial& f) {
   const Interval low = (middle - root) / divisor;
   const Interval high = (middle + root) / divisor;
   if (!std::isfinite(low.low) || !std::isfinite(high.high) || !(low.high < high.low)) return isolated_roots(f);
-  const auto shared = std::make_shared<const Polynomial>(f);
+  const auto shared = std::make_shared<const Polynomial>(std::move(f));
   return {{shared, low, std::nullopt}, {shared, high, std::nullopt}};
 }
 
-std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
+std::vector<LineRoot> roots_of_higher_order(Polynomial f) {
   const std::vector<Interval> found = certain_sign_changes(f);
   const auto certain = static_cast<int>(found.size());
   if (certain != degree(f)) {
@@ -52,7 +52,7 @@ std::vector<LineRoot> roots_of_higher_order(const Polynomial& f) {
     if (count == 0) return {};
     if (certain != count) return isolated_roots(f);
   }
-  const auto shared = std::make_shared<const Polynomial>(f);
+  const auto shared = std::make_shared<const Polynomial>(std::move(f));
   std::vector<LineRoot> roots;
   roots.reserve(found.size());
   for (const Interval& near : found) roots.push_back({shared, near, std::nullopt});
@@ -139,24 +139,23 @@ mpz_class first_integer(RefinedRoot& root) {
 
 }  // namespace
 
-Polynomial restricted(const Curve& p, const mpz_class& y) {
+Polynomial restricted(const Curve& p, long y) {
   const auto& q = p.q;
   Polynomial f(3);
-  f[0] = q[4];
-  add_product(f[0], q[2], y);
-  f[0] *= y;
-  f[0] += q[5];
-  f[1] = q[3];
-  add_product(f[1], q[1], y);
+  f[0] = q[2];
+  times_plus(f[0], y, q[4]);
+  times_plus(f[0], y, q[5]);
+  f[1] = q[1];
+  times_plus(f[1], y, q[3]);
   f[2] = q[0];
   return f;
 }
 
-std::vector<LineRoot> real_roots(const Polynomial& f) {
-  const Polynomial g = trimmed(f);
-  if (g.size() <= 1) return {};
-  if (g.size() == 2) return {rational_root(-g[0], g[1])};
-  return g.size() == 3 ? roots_of_second_order(g) : roots_of_higher_order(g);
+std::vector<LineRoot> real_roots(Polynomial f) {
+  while (!f.empty() && sgn(f.back()) == 0) f.pop_back();
+  if (f.size() <= 1) return {};
+  if (f.size() == 2) return {rational_root(-f[0], f[1])};
+  return f.size() == 3 ? roots_of_second_order(std::move(f)) : roots_of_higher_order(std::move(f));
 }
 
 int compare(const LineRoot& a, const LineRoot& b) {

@@ -30,10 +30,10 @@ struct LineRoot {
 };
 
 // A curve of second order on the scan line y.
-[[nodiscard]] Polynomial restricted(const Curve& p, const mpz_class& y);
+[[nodiscard]] Polynomial restricted(const Curve& p, long y);
 
 // The real roots, ascending, a multiple root once; none of a constant.
-[[nodiscard]] std::vector<LineRoot> real_roots(const Polynomial& f);
+[[nodiscard]] std::vector<LineRoot> real_roots(Polynomial f);
 
 // -1, 0, 1: the sign of a - b.
 [[nodiscard]] int compare(const LineRoot& a, const LineRoot& b);

@@ -90,17 +90,22 @@ std::size_t degree_in_x(const QuarticForm& p) {
 // A form without factors has none on one line in four.
 bool is_surely_irreducible(const QuarticForm& p) {
   constexpr ulong prime = 251;
-  constexpr int lines = 8;
+  constexpr ulong lines = 8;
+  std::array<ulong, 15> q{};
+  std::transform(p.q.begin(), p.q.end(), q.begin(),
+                 [](const mpz_class& c) { return mpz_fdiv_ui(c.get_mpz_t(), prime); });
+  if (q[quartic_index(4, 0)] == 0) return false;
   nmod_poly_t on_line;
   nmod_poly_init(on_line, prime);
   bool found = false;
-  for (int y = 0; y < lines && !found; ++y) {
-    const Polynomial f = restricted(p, y);
+  for (ulong y = 0; y < lines && !found; ++y) {
     nmod_poly_zero(on_line);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      nmod_poly_set_coeff_ui(on_line, static_cast<slong>(i), mpz_fdiv_ui(f[i].get_mpz_t(), prime));
+    for (std::size_t i = 5; i-- > 0;) {
+      ulong c = 0;
+      for (std::size_t j = 5 - i; j-- > 0;) c = (c * y + q[quartic_index(i, j)]) % prime;
+      nmod_poly_set_coeff_ui(on_line, static_cast<slong>(i), c);
     }
-    found = nmod_poly_degree(on_line) == 4 && nmod_poly_is_irreducible(on_line) != 0;
+    found = nmod_poly_is_irreducible(on_line) != 0;
   }
   nmod_poly_clear(on_line);
   return found;
@@ -111,18 +116,38 @@ Polynomial scaled(int factor, Polynomial p) {
   return p;
 }
 
-// Of order two or more in x, up to a constant; of order three times the square of the first coefficient. For order four by its seminvariants,
-// 27 D = 4 i^3 - j^2.
-Polynomial discriminant_in_x(const QuarticForm& p) {
-  const auto a = coefficient_of(p, 4), b = coefficient_of(p, 3), c = coefficient_of(p, 2), d = coefficient_of(p, 1),
-             e = coefficient_of(p, 0);
-  if (a.empty() && b.empty()) return minus(times(d, d), scaled(4, times(c, e)));
-  const Polynomial cc = times(c, c);
-  const Polynomial i = minus(plus(cc, scaled(12, times(a, e))), scaled(3, times(b, d)));
-  const Polynomial j =
-      plus(times(c, plus(scaled(72, times(a, e)), scaled(9, times(b, d)))),
-           scaled(-1, plus(scaled(27, plus(times(a, times(d, d)), times(e, times(b, b)))), scaled(2, times(c, cc)))));
+// Of order two or more in x, up to a constant, by the coefficients of 1, x .. x^4; of order three times the square of the first coefficient. For
+// order four by its seminvariants, 27 D = 4 i^3 - j^2.
+template <class Coefficients>
+Coefficients discriminant(const std::array<Coefficients, 5>& in_x, bool second_order) {
+  const auto& [e, d, c, b, a] = in_x;
+  if (second_order) return minus(times(d, d), scaled(4, times(c, e)));
+  const Coefficients cc = times(c, c);
+  const Coefficients ae = times(a, e);
+  const Coefficients i = minus(plus(cc, scaled(12, ae)), scaled(3, times(b, d)));
+  const Coefficients j =
+      minus(times(c, plus(scaled(72, ae), scaled(9, times(b, d)))),
+            plus(scaled(27, plus(times(a, times(d, d)), times(e, times(b, b)))), scaled(2, times(c, cc))));
   return minus(scaled(4, times(i, times(i, i))), times(j, j));
+}
+
+std::array<Polynomial, 5> in_powers_of_x(const QuarticForm& p) {
+  return {coefficient_of(p, 0), coefficient_of(p, 1), coefficient_of(p, 2), coefficient_of(p, 3), coefficient_of(p, 4)};
+}
+
+// All divided by the same power of two.
+std::array<IntervalPolynomial, 5> enclosed_in_powers_of_x(const QuarticForm& p) {
+  std::size_t bits = 0;
+  for (const mpz_class& c : p.q) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  std::array<IntervalPolynomial, 5> in_x;
+  for (std::size_t i = 0; i <= 4; ++i) {
+    for (std::size_t j = 0; i + j <= 4; ++j) {
+      const mpz_class& c = p.q[quartic_index(i, j)];
+      in_x[i].c[j] = enclosure(c, static_cast<long>(bits));
+      if (sgn(c) != 0) in_x[i].size = j + 1;
+    }
+  }
+  return in_x;
 }
 
 void append_factor(const PlanePolynomial& factor, PlaneFactors& found) {
@@ -188,13 +213,11 @@ std::size_t degree_of(const QuarticForm& p) {
   return 0;
 }
 
-Polynomial restricted(const QuarticForm& p, const mpz_class& y) {
+Polynomial restricted(const QuarticForm& p, long y) {
   Polynomial f(5);
   for (std::size_t i = 0; i <= 4; ++i) {
-    for (std::size_t j = 5 - i; j-- > 0;) {
-      f[i] *= y;
-      f[i] += p.q[quartic_index(i, j)];
-    }
+    f[i] = p.q[quartic_index(i, 4 - i)];
+    for (std::size_t j = 4 - i; j-- > 0;) times_plus(f[i], y, p.q[quartic_index(i, j)]);
   }
   return f;
 }
@@ -257,10 +280,17 @@ PlaneFactors factors(const QuarticForm& p) {
   return found;
 }
 
-std::vector<Polynomial> turning_lines(const QuarticForm& p) {
+std::vector<Mark> turn_marks(const QuarticForm& p, std::int64_t first, std::int64_t last,
+                             const std::vector<Mark>& nodes) {
   const std::size_t order = degree_in_x(p);
-  if (order <= 1) return {coefficient_of(p, order)};
-  return {discriminant_in_x(p), coefficient_of(p, order)};
+  std::vector<Mark> marks = root_marks(coefficient_of(p, order), first, last);
+  if (order <= 1) return marks;
+  const bool second_order = order == 2;
+  const std::vector<Mark> turns = root_marks(
+      discriminant(enclosed_in_powers_of_x(p), second_order),
+      [&] { return discriminant(in_powers_of_x(p), second_order); }, first, last, nodes);
+  marks.insert(marks.end(), turns.begin(), turns.end());
+  return marks;
 }
 
 Polynomial meeting_lines(const QuarticForm& p, const QuarticForm& q) {

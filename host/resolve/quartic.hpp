@@ -8,6 +8,7 @@
 
 #include "host/algebra/polynomial.hpp"
 #include "host/resolve/resolved_scene.hpp"
+#include "host/resolve/root_marks.hpp"
 
 namespace halfspace {
 
@@ -32,7 +33,7 @@ static_assert(quartic_index(4, 0) == 0 && quartic_index(0, 4) == 4 && quartic_in
 void make_canonical(QuarticForm& p);
 
 // On the scan line y, in powers of x.
-[[nodiscard]] Polynomial restricted(const QuarticForm& p, const mpz_class& y);
+[[nodiscard]] Polynomial restricted(const QuarticForm& p, long y);
 
 // p(x, start + y).
 [[nodiscard]] QuarticForm from_line(QuarticForm p, const mpz_class& start);
@@ -48,9 +49,10 @@ struct PlaneFactors {
 };
 [[nodiscard]] PlaneFactors factors(const QuarticForm& p);
 
-// Polynomials in y, one of which vanishes at every y where roots in x of an irreducible curve appear, meet or go to infinity, and where
-// the curve holds a whole line y = const.
-[[nodiscard]] std::vector<Polynomial> turning_lines(const QuarticForm& p);
+// Where the roots in x of an irreducible curve appear, meet or go to infinity, and where the curve holds a whole line y = const. `nodes`: marks
+// of points where it crosses itself, as far as they are known.
+[[nodiscard]] std::vector<Mark> turn_marks(const QuarticForm& p, std::int64_t first, std::int64_t last,
+                                           const std::vector<Mark>& nodes);
 
 // A polynomial that vanishes at every y where two curves without a common component meet.
 [[nodiscard]] Polynomial meeting_lines(const QuarticForm& p, const QuarticForm& q);

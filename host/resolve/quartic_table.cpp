@@ -1,34 +1,48 @@
 #include "host/resolve/quartic_table.hpp"
 
+#include <algorithm>
+
 namespace halfspace {
 
-const PlaneFactors& QuarticTable::factors_of(QuarticForm p) {
-  make_canonical(p);
-  const auto known = factors_.find(p.q);
-  return known != factors_.end() ? known->second : factors_.emplace(p.q, factors(p)).first->second;
+const std::vector<Mark>& KnownQuartic::turns(const std::optional<Radical>& radical) {
+  if (!turns_) {
+    const auto nodes = radical ? root_marks(meeting_lines(radical->p, radical->r), y0_, y1_) : std::vector<Mark>{};
+    turns_ = turn_marks(form_, y0_, y1_, nodes);
+  }
+  return *turns_;
 }
 
-const std::vector<Mark>& QuarticTable::turns(const QuarticForm& p) {
-  const auto [at, is_new] = turns_.try_emplace(p.q);
+std::vector<Mark> KnownQuartic::meetings(const Curve& p) const {
+  return root_marks(meeting_lines(form_, as_quartic(p)), y0_, y1_);
+}
+
+const std::vector<Mark>& KnownQuartic::meetings(const KnownQuartic& p) {
+  const auto [at, is_new] = meetings_.try_emplace(&p);
+  if (is_new) at->second = root_marks(meeting_lines(form_, p.form_), y0_, y1_);
+  return at->second;
+}
+
+const std::vector<LineRoot>& KnownQuartic::roots(std::int64_t y) {
+  const auto [at, is_new] = roots_.try_emplace(y);
+  if (is_new) at->second = real_roots(restricted(form_, y));
+  return at->second;
+}
+
+const KnownFactors& QuarticTable::factors_of(QuarticForm p) {
+  make_canonical(p);
+  const auto [at, is_new] = factors_.try_emplace(p.q);
   if (is_new) {
-    for (const Polynomial& lines : turning_lines(p)) {
-      const std::vector<Mark> found = root_marks(lines, y0_, y1_);
-      at->second.insert(at->second.end(), found.begin(), found.end());
-    }
+    PlaneFactors found = factors(p);
+    at->second.curves = std::move(found.curves);
+    for (QuarticForm& quartic : found.quartics) at->second.quartics.push_back(known(std::move(quartic)));
   }
   return at->second;
 }
 
-const std::vector<Mark>& QuarticTable::meetings(const QuarticForm& p, const QuarticForm& q) {
-  const auto [at, is_new] = meetings_.try_emplace({p.q, q.q});
-  if (is_new) at->second = root_marks(meeting_lines(p, q), y0_, y1_);
-  return at->second;
-}
-
-const std::vector<LineRoot>& QuarticTable::roots(const QuarticForm& p, std::int64_t y) {
-  const auto [at, is_new] = roots_[p.q].try_emplace(y);
-  if (is_new) at->second = real_roots(restricted(p, static_cast<long>(y)));
-  return at->second;
+KnownQuartic* QuarticTable::known(QuarticForm p) {
+  const auto found = std::find_if(quartics_.begin(), quartics_.end(),
+                                  [&p](const KnownQuartic& other) { return other.form().q == p.q; });
+  return found != quartics_.end() ? &*found : &quartics_.emplace_back(std::move(p), y0_, y1_);
 }
 
 }  // namespace halfspace

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
+#include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,6 +17,40 @@
 
 namespace halfspace {
 
+// P^2 = R^2 d, d apart.
+struct Radical {
+  Curve p, r;
+};
+
+// An irreducible curve of degree three or four, canonical. Two of one table are different curves.
+class KnownQuartic {
+ public:
+  // The lines y0 .. y1 are those of its marks.
+  KnownQuartic(QuarticForm form, std::int64_t y0, std::int64_t y1) : form_(std::move(form)), y0_(y0), y1_(y1) {}
+
+  [[nodiscard]] const QuarticForm& form() const { return form_; }
+  // Where it turns. Of P^2 = R^2 d the points P = R = 0 are nodes: double roots of the discriminant.
+  [[nodiscard]] const std::vector<Mark>& turns(const std::optional<Radical>& radical);
+  // Where it meets a curve of second order that is no part of it, or another quartic.
+  [[nodiscard]] std::vector<Mark> meetings(const Curve& p) const;
+  [[nodiscard]] const std::vector<Mark>& meetings(const KnownQuartic& p);
+  // On a local line. Valid as long as the table.
+  [[nodiscard]] const std::vector<LineRoot>& roots(std::int64_t y);
+
+ private:
+  QuarticForm form_;
+  std::int64_t y0_, y1_;
+  std::optional<std::vector<Mark>> turns_;
+  std::map<const KnownQuartic*, std::vector<Mark>> meetings_;
+  std::unordered_map<std::int64_t, std::vector<LineRoot>> roots_;
+};
+
+// The factors of an n, each once.
+struct KnownFactors {
+  std::vector<Curve> curves;  // of degree one and two
+  std::vector<KnownQuartic*> quartics;
+};
+
 // References stay valid as long as the table.
 class QuarticTable {
  public:
@@ -21,23 +58,14 @@ class QuarticTable {
   QuarticTable(std::int64_t y0, std::int64_t y1) : y0_(y0), y1_(y1) {}
 
   // p is not zero.
-  [[nodiscard]] const PlaneFactors& factors_of(QuarticForm p);
-
-  // Of irreducible curves, canonical: where one turns, where two meet.
-  [[nodiscard]] const std::vector<Mark>& turns(const QuarticForm& p);
-  [[nodiscard]] const std::vector<Mark>& meetings(const QuarticForm& p, const QuarticForm& q);
-
-  // Of an irreducible curve, canonical: its roots on a local line.
-  [[nodiscard]] const std::vector<LineRoot>& roots(const QuarticForm& p, std::int64_t y);
+  [[nodiscard]] const KnownFactors& factors_of(QuarticForm p);
 
  private:
-  using Key = std::array<mpz_class, 15>;
+  [[nodiscard]] KnownQuartic* known(QuarticForm p);
 
   std::int64_t y0_, y1_;
-  std::map<Key, PlaneFactors> factors_;
-  std::map<Key, std::vector<Mark>> turns_;
-  std::map<std::pair<Key, Key>, std::vector<Mark>> meetings_;
-  std::map<Key, std::map<std::int64_t, std::vector<LineRoot>>> roots_;
+  std::map<std::array<mpz_class, 15>, KnownFactors> factors_;
+  std::deque<KnownQuartic> quartics_;
 };
 
 }  // namespace halfspace

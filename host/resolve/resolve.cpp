@@ -76,7 +76,7 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
     resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, table, arcs)});
     for (const FaceCells& face : resolved.back().faces) use_arcs(body, face, arcs);
   }
-  arcs.join_uses(index, extent, table, resolved_scene.arcs);
+  arcs.join_uses(index, extent, resolved_scene.arcs);
   for (const ResolvedHalfSpace& half_space : resolved) {
     for (const FaceCells& face : half_space.faces) {
       if (face.cells.empty() && face.spans.empty()) continue;

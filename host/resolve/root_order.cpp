@@ -1,37 +1,42 @@
 #include "host/resolve/root_order.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace halfspace {
 namespace {
 
-void append_limb(const Curve& d, const mpz_class& y, std::vector<Obstacle>& found) {
-  const Polynomial f = restricted(d, y);
-  const std::vector<LineRoot> roots = real_roots(f);
-  const bool simple = static_cast<int>(roots.size()) == degree(f);
-  for (const LineRoot& x : roots) found.push_back({x, simple, -1});
+void insert(Obstacle next, std::vector<Obstacle>& found) {
+  const auto precedes = [](const Obstacle& a, const Obstacle& b) { return compare(a.x, b.x) < 0; };
+  const auto at = std::upper_bound(found.begin(), found.end(), next, precedes);
+  found.insert(at, std::move(next));
+}
+
+void insert_limb(const Curve& d, std::int64_t y, std::vector<Obstacle>& found) {
+  Polynomial f = restricted(d, y);
+  const int order = degree(f);
+  std::vector<LineRoot> roots = real_roots(std::move(f));
+  const bool simple = static_cast<int>(roots.size()) == order;
+  for (LineRoot& x : roots) insert({std::move(x), simple, -1}, found);
 }
 
 }  // namespace
 
-std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t line, const ValueOnLine& value,
-                                        QuarticTable& table) {
-  const mpz_class y = static_cast<long>(line);
+std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y, const ValueOnLine& value) {
+  const std::vector<LineRoot>& roots = form.part->roots(y);
   std::vector<Obstacle> found;
+  found.reserve(roots.size() + 2);
   int rank = 0;
-  for (const LineRoot& x : table.roots(form.part, line)) {
+  for (const LineRoot& x : roots) {
     if (value.vanishes(form.sheet, x)) found.push_back({x, false, rank++});
   }
-  if (form.has_limb()) {
-    for (const Curve& other : form.others) {
-      for (const LineRoot& x : real_roots(restricted(other, y))) {
-        if (value.vanishes(form.sheet, x)) found.push_back({x, false, -1});
-      }
+  if (!form.has_limb()) return found;
+  for (const Curve& other : *form.others) {
+    for (LineRoot& x : real_roots(restricted(other, y))) {
+      if (value.vanishes(form.sheet, x)) insert({std::move(x), false, -1}, found);
     }
-    append_limb(form.sheets->d, y, found);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Obstacle& a, const Obstacle& b) { return compare(a.x, b.x) < 0; });
+  insert_limb(form.sheets->d, y, found);
   return found;
 }
 

@@ -21,15 +21,15 @@ struct FormOnSheet {
   const Sheets* sheets = nullptr;
   std::uint32_t constraint = 0;
   Sheet sheet = Sheet::only;
-  QuarticForm part;
-  std::vector<Curve> others;  // the other factors of n
+  KnownQuartic* part = nullptr;                // the table's
+  const std::vector<Curve>* others = nullptr;  // the other factors of n
 
   [[nodiscard]] const Constraint& value() const { return sheets->constraints[constraint]; }
   [[nodiscard]] bool has_limb() const { return sheets->shape == SheetShape::two_sheets; }
 };
 
 // Ascending; distinct on lines where nothing befalls the form. Of a rational sheet, the part's own roots alone. `value` is the form's.
-[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y, const ValueOnLine& value,
-                                                      QuarticTable& table);
+[[nodiscard]] std::vector<Obstacle> obstacles_on_line(const FormOnSheet& form, std::int64_t y,
+                                                      const ValueOnLine& value);
 
 }  // namespace halfspace

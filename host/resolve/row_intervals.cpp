@@ -18,6 +18,20 @@ bool passes_through(const RowRoot& root, std::uint32_t curve) {
                      [curve](const CurveBranch& b) { return b.curve == curve; });
 }
 
+// May a constraint that fails left of the root hold at it, or on its right? Only where the root is on one of its curves, or on one where the
+// sheet begins. What hides because the sheet is missing does so up to the latter.
+bool may_change(int hider, const RowRoot& root, const BoundingCurves& bounds) {
+  const auto is_of_hider = [hider](std::uint32_t constraint) { return static_cast<int>(constraint) == hider; };
+  return std::any_of(root.curves.begin(), root.curves.end(),
+                     [&](const CurveBranch& b) {
+                       const TracedCurve& traced = bounds.curves[b.curve];
+                       return traced.own ||
+                              std::any_of(traced.constraints.begin(), traced.constraints.end(), is_of_hider);
+                     }) ||
+         std::any_of(root.quartics.begin(), root.quartics.end(),
+                     [&](const QuarticBranch& b) { return is_of_hider(b.constraint); });
+}
+
 // Gathers the pieces cell 0, root 0, cell 1, ... cell n in their order: runs of those that show.
 class Runs {
  public:
@@ -57,15 +71,18 @@ class Runs {
 
 }  // namespace
 
-std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const PresenceOnLine& presence,
-                                       std::uint32_t pole) {
+std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
+                                       const PresenceOnLine& presence, std::uint32_t pole) {
   Runs runs(2 * static_cast<int>(roots.size()) + 1);
-  bool left = presence.shows_at(sample(roots, 0));
-  runs.add(left);
+  int left = presence.hider_at(sample(roots, 0));
+  runs.add(left == nothing_hides);
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const bool right = presence.shows_at(sample(roots, i + 1));
-    runs.add(!passes_through(roots[i], pole) && (left || right || presence.shows_at(roots[i].x)));
-    runs.add(right);
+    const bool stays_hidden = left != nothing_hides && !may_change(left, roots[i], bounds);
+    const int right = stays_hidden ? left : presence.hider_at(sample(roots, i + 1));
+    const bool shows_beside = left == nothing_hides || right == nothing_hides;
+    runs.add(!stays_hidden && !passes_through(roots[i], pole) &&
+             (shows_beside || presence.hider_at(roots[i].x) == nothing_hides));
+    runs.add(right == nothing_hides);
     left = right;
   }
   return runs.take();

@@ -3,6 +3,7 @@
 //       o------|==========|----|=====o      Open cells between roots: one sample decides, since no sign changes inside.
 //     cell 0  root 0    root 1 ...          A root joins a cell that shows beside it; one between cells that do not show is
 //                                           decided at the root itself, exactly, and may be an interval of one point.
+// A constraint that fails in a cell fails up to the next root on one of its curves, so that nothing in between is asked.
 #pragma once
 
 #include <vector>
@@ -19,8 +20,8 @@ struct RowInterval {
   bool left_open = false, right_open = false;  // the root itself does not show: only a rational sheet's poles
 };
 
-// `pole`: the index of the curve on which a rational sheet does not exist, or no_arc.
-[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const PresenceOnLine& presence,
-                                                     std::uint32_t pole);
+// `bounds`: the curves of the roots. `pole`: the index of the curve on which a rational sheet does not exist, or no_arc.
+[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
+                                                     const PresenceOnLine& presence, std::uint32_t pole);
 
 }  // namespace halfspace

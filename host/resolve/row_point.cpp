@@ -16,7 +16,7 @@ const LineRoot& RowPoint::exact() const {
   if (curve_ == nullptr) {
     exact_ = rational_root(mpz_class(near_.low * 0x1p10), 1 << 10);
   } else {
-    exact_ = real_roots(restricted(*curve_, static_cast<long>(y_)))[index_];
+    exact_ = real_roots(restricted(*curve_, y_))[index_];
   }
   return *exact_;
 }
@@ -26,7 +26,7 @@ void append_roots_on_row(const Curve& curve, const IntervalCurve& enclosed, std:
   const auto line = static_cast<double>(y);
   const auto sure = roots_in_x(enclosed, {line, line});
   if (!sure || sure->is_hull) {
-    for (LineRoot& x : real_roots(restricted(curve, static_cast<long>(y)))) points.emplace_back(std::move(x));
+    for (LineRoot& x : real_roots(restricted(curve, y))) points.emplace_back(std::move(x));
     return;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(sure->count); ++i) points.emplace_back(curve, y, i, sure->x[i]);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "host/resolve/sheet_form.hpp"
-
 namespace halfspace {
 namespace {
 
@@ -43,10 +41,14 @@ std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, 
   return rows;
 }
 
-RowRoots::RowRoots(const Sheets& sheets, const BoundingCurves& bounds, QuarticTable& table)
-    : sheets_(sheets), bounds_(bounds), table_(table) {
+RowRoots::RowRoots(const Sheets& sheets, const BoundingCurves& bounds) : sheets_(sheets), bounds_(bounds) {
   points_.reserve(2);
   roots_.reserve(2 * bounds.curves.size() + 4 * bounds.quartics.size());
+  for (const TracedQuartic& traced : bounds.quartics) {
+    std::vector<EnclosedForm>& forms = forms_.emplace_back();
+    for (const std::uint32_t constraint : traced.constraints)
+      forms.emplace_back(sheets, sheets.constraints[constraint]);
+  }
 }
 
 const std::vector<RowRoot>& RowRoots::on_line(std::int64_t y) {
@@ -70,10 +72,11 @@ void RowRoots::add_curve(std::uint32_t index, std::int64_t y) {
 void RowRoots::add_quartic(std::uint32_t index, std::int64_t y) {
   const TracedQuartic& traced = bounds_.quartics[index];
   std::vector<RowRoot> named;
-  for (const LineRoot& x : table_.roots(traced.curve, y)) named.push_back({RowPoint(LineRoot(x)), {}, {}});
+  for (const LineRoot& x : traced.curve->roots(y)) named.push_back({RowPoint(LineRoot(x)), {}, {}});
   if (named.empty()) return;
-  for (const std::uint32_t constraint : traced.constraints) {
-    const ValueOnLine value(sheets_, sheets_.constraints[constraint], static_cast<long>(y));
+  for (std::size_t i = 0; i < traced.constraints.size(); ++i) {
+    const std::uint32_t constraint = traced.constraints[i];
+    const ValueOnLine value(sheets_, sheets_.constraints[constraint], y, &forms_[index][i]);
     for (const Sheet sheet : sheets_in(sheets_)) {
       std::uint32_t rank = 0;
       for (RowRoot& root : named) {

@@ -15,6 +15,7 @@
 #include "host/resolve/root_marks.hpp"
 #include "host/resolve/row_point.hpp"
 #include "host/resolve/sheet.hpp"
+#include "host/resolve/sheet_form.hpp"
 
 namespace halfspace {
 
@@ -56,7 +57,7 @@ struct RowRoot {
 class RowRoots {
  public:
   // Keeps references.
-  RowRoots(const Sheets& sheets, const BoundingCurves& bounds, QuarticTable& table);
+  RowRoots(const Sheets& sheets, const BoundingCurves& bounds);
 
   // Ascending, distinct; until the next call. Points keep pointers to the curves.
   [[nodiscard]] const std::vector<RowRoot>& on_line(std::int64_t y);
@@ -68,8 +69,8 @@ class RowRoots {
 
   const Sheets& sheets_;
   const BoundingCurves& bounds_;
-  QuarticTable& table_;
-  std::vector<RowPoint> points_;  // of one curve
+  std::vector<std::vector<EnclosedForm>> forms_;  // of each quartic's constraints
+  std::vector<RowPoint> points_;                  // of one curve
   std::vector<RowRoot> roots_;
 };
 

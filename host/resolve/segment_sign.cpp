@@ -41,6 +41,36 @@ Coefficients bernstein(Coefficients q, std::size_t order, double length) {
   return q;
 }
 
+// The same with sizes, at its largest: no coefficient of Bernstein's is above 6 times it.
+double largest_size(const std::array<double, 15>& p, std::size_t order, double x, double y) {
+  double sum = 0;
+  for (std::size_t i = order + 1; i-- > 0;) {
+    double c = 0;
+    for (std::size_t j = order - i + 1; j-- > 0;) c = c * y + std::abs(p[quartic_index(i, j)]);
+    sum = sum * x + c;
+  }
+  return sum;
+}
+
+// What signs Bernstein's coefficients have.
+struct Signs {
+  bool negative = false, unsure = false, positive = false;
+
+  void add(double value, double error) {
+    if (value > error) {
+      positive = true;
+    } else {
+      (value < -error ? negative : unsure) = true;
+    }
+  }
+  // Those of all, or 0 for both; nothing where that is not certain.
+  [[nodiscard]] std::optional<int> verdict() const {
+    if (negative && positive) return 0;
+    if (unsure) return std::nullopt;
+    return negative ? -1 : 1;
+  }
+};
+
 }  // namespace
 
 SegmentSign::SegmentSign(const QuarticForm& p) : order_(degree_of(p)) {
@@ -57,19 +87,20 @@ SegmentSign::SegmentSign(const QuarticForm& p) : order_(degree_of(p)) {
 //           of the sum of its terms' sizes, which the same steps with sizes give, as near. Coefficients below 2^-1000 are too large by less
 //           than that. Where anything overflows no comparison holds.
 std::optional<int> SegmentSign::along(double at, double step, double start, double length) const {
+  const Coefficients value = bernstein(restricted_to(c_, order_, at, step, start), order_, length);
+  const double most =
+      6 * largest_size(c_, order_, std::abs(at) + std::abs(step) * length, std::abs(start) + length) * 0x1p-45 +
+      0x1p-800;
+  Signs quick;
+  for (std::size_t i = 0; i <= order_; ++i) quick.add(value[i], most);
+  if (const auto sign = quick.verdict()) return sign;
   std::array<double, 15> sizes{};
   std::transform(c_.begin(), c_.end(), sizes.begin(), [](double c) { return std::abs(c); });
-  const Coefficients value = bernstein(restricted_to(c_, order_, at, step, start), order_, length);
   const Coefficients size =
       bernstein(restricted_to(sizes, order_, std::abs(at), std::abs(step), std::abs(start)), order_, length);
-  std::array<bool, 3> seen{};  // negative, unsure, positive
-  for (std::size_t i = 0; i <= order_; ++i) {
-    const double error = size[i] * 0x1p-46 + 0x1p-800;
-    seen[value[i] > error ? 2 : value[i] < -error ? 0 : 1] = true;
-  }
-  if (seen[0] && seen[2]) return 0;
-  if (seen[1]) return std::nullopt;
-  return seen[0] ? -1 : 1;
+  Signs signs;
+  for (std::size_t i = 0; i <= order_; ++i) signs.add(value[i], size[i] * 0x1p-46 + 0x1p-800);
+  return signs.verdict();
 }
 
 }  // namespace halfspace

@@ -20,13 +20,13 @@ std::optional<Separator> dot_separator(const mpz_class& column) {
 }
 
 void Channel::add(std::int64_t y, const LineRoot& left, const LineRoot& right) {
-  samples_.push_back({static_cast<double>(y), middle_of(left.near), middle_of(right.near)});
-  if (!first_) first_ = Ends{left, right};
+  if (count_ == 0) first_ = {&left, &right};
+  samples_[count_++] = {static_cast<double>(y), middle_of(left.near), middle_of(right.near)};
 }
 
 std::optional<Separator> Channel::separator() const {
   const Sample& first = samples_.front();
-  const Sample& last = samples_.back();
+  const Sample& last = samples_[count_ - 1];
   const double height = std::max(last.y - first.y, 1.0);
   const double low = (last.low - first.low) / height;
   const double high = (last.high - first.high) / height;
@@ -35,7 +35,8 @@ std::optional<Separator> Channel::separator() const {
   for (const double slope : std::array{low, high, (low + high) / 2}) {
     double left = -4 * page;
     double right = 4 * page;
-    for (const Sample& s : samples_) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Sample& s = samples_[i];
       left = std::max(left, s.low - slope * (s.y - first.y));
       right = std::min(right, s.high - slope * (s.y - first.y));
     }
@@ -47,8 +48,10 @@ std::optional<Separator> Channel::separator() const {
 }
 
 bool Channel::holds(const Separator& separator) const {
+  const double near = static_cast<double>(separator.at) / separator_unit;  // exact: a separator has few bits
+  if (first_.left->near.high < near && near < first_.right->near.low) return true;
   const LineRoot at = rational_root(static_cast<long>(separator.at), separator_unit);
-  return compare(first_->left, at) < 0 && compare(at, first_->right) < 0;
+  return compare(*first_.left, at) < 0 && compare(at, *first_.right) < 0;
 }
 
 }  // namespace halfspace

@@ -1,8 +1,9 @@
 // separator.hpp - straight lines between two curves, in 2^-16 dots: guessed in floating point, checked exactly where they start.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "host/resolve/line_root.hpp"
 #include "host/resolve/resolved_scene.hpp"
@@ -14,9 +15,10 @@ inline constexpr long separator_unit = 1 << 16;
 // On a column of dots; columns far beyond any page count as the last of them.
 [[nodiscard]] std::optional<Separator> dot_separator(const mpz_class& column);
 
-// What lies left and right on some scan lines, the first of them the window's first.
+// What lies left and right on up to three scan lines, the first of them the window's first.
 class Channel {
  public:
+  // Keeps pointers to the first line's roots.
   void add(std::int64_t y, const LineRoot& left, const LineRoot& right);
 
   // A line that runs between the samples, if there is one.
@@ -27,13 +29,15 @@ class Channel {
 
  private:
   struct Sample {
-    double y, low, high;
+    double y = 0, low = 0, high = 0;
   };
   struct Ends {
-    LineRoot left, right;
+    const LineRoot* left = nullptr;
+    const LineRoot* right = nullptr;
   };
-  std::vector<Sample> samples_;
-  std::optional<Ends> first_;
+  std::array<Sample, 3> samples_{};
+  std::size_t count_ = 0;
+  Ends first_;
 };
 
 }  // namespace halfspace

@@ -112,17 +112,17 @@ void set_meeting(const Sheets& sheets, const IntegerHalfSpace& half_space, Const
   }
 }
 
-void add_quartic(const Sheets& sheets, const QuarticForm& curve, std::uint32_t constraint,
+void add_quartic(const Sheets& sheets, KnownQuartic* curve, std::uint32_t constraint, const std::vector<Curve>& others,
                  std::vector<TracedQuartic>& quartics) {
-  const auto known = std::find_if(quartics.begin(), quartics.end(),
-                                  [&curve](const TracedQuartic& traced) { return traced.curve.q == curve.q; });
-  if (known != quartics.end()) {
-    known->constraints.push_back(constraint);
-  } else {
+  auto traced = std::find_if(quartics.begin(), quartics.end(),
+                             [curve](const TracedQuartic& known) { return known.curve == curve; });
+  if (traced == quartics.end()) {
     const Constraint& k = sheets.constraints[constraint];
-    quartics.push_back({curve, {constraint}, std::nullopt});
-    if (sheets.shape == SheetShape::two_sheets) quartics.back().radical = Radical{k.p, k.r};
+    traced = quartics.insert(traced, {curve, {}, {}, std::nullopt});
+    if (sheets.shape == SheetShape::two_sheets) traced->radical = Radical{k.p, k.r};
   }
+  traced->constraints.push_back(constraint);
+  traced->others.push_back(&others);
 }
 
 // The curves of a quadric on a quadric's sheets. n vanishes throughout where both hold a plane: then P^2 = R^2 d, and the value
@@ -130,11 +130,11 @@ void add_quartic(const Sheets& sheets, const QuarticForm& curve, std::uint32_t c
 void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& table, BoundingCurves& bounds) {
   const Constraint& k = sheets.constraints[index];
   const bool later = k.half_space > sheets.half_space;
-  if (is_zero(k.n)) return trace(k.p, std::nullopt, later, bounds.curves);
-  const PlaneFactors& parts = table.factors_of(k.n);
+  if (is_zero(k.n)) return trace(k.p, std::nullopt, later, index, bounds.curves);
+  const KnownFactors& parts = table.factors_of(k.n);
   const auto terms = parts.curves.size() == 1 ? section_terms(sheets, k) : std::nullopt;
-  for (const Curve& part : parts.curves) trace(part, terms, later, bounds.curves);
-  for (const QuarticForm& part : parts.quartics) add_quartic(sheets, part, index, bounds.quartics);
+  for (const Curve& part : parts.curves) trace(part, terms, later, index, bounds.curves);
+  for (KnownQuartic* part : parts.quartics) add_quartic(sheets, part, index, parts.curves, bounds.quartics);
 }
 
 }  // namespace
@@ -195,15 +195,15 @@ bool has_zero_constraint(const Sheets& sheets) {
 BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
   BoundingCurves bounds;
   std::vector<TracedCurve>& curves = bounds.curves;
-  if (sheets.shape == SheetShape::two_sheets) trace(sheets.d, Section{Curve{}, 1}, false, curves);
-  if (sheets.shape == SheetShape::rational) trace(sheets.surface.b, std::nullopt, false, curves);
+  if (sheets.shape == SheetShape::two_sheets) trace_own(sheets.d, Section{Curve{}, 1}, curves);
+  if (sheets.shape == SheetShape::rational) trace_own(sheets.surface.b, std::nullopt, curves);
   for (std::uint32_t i = 0; i < sheets.constraints.size(); ++i) {
     const Constraint& k = sheets.constraints[i];
     const bool later = k.half_space > sheets.half_space;
     if (!sheets.curved) {
-      trace(k.p, std::nullopt, later, curves);
+      trace(k.p, std::nullopt, later, i, curves);
     } else if (k.section) {
-      trace(*k.section, section_terms(sheets, k), later, curves);
+      trace(*k.section, section_terms(sheets, k), later, i, curves);
     } else {
       trace_meeting(sheets, i, table, bounds);
     }

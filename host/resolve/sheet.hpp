@@ -44,10 +44,6 @@ struct Constraint {
   QuarticForm n;                 // on a curved sheet, of a curved surface: P^2 - R^2 d, or the rational sheet's form
 };
 
-struct Radical {
-  Curve p, r;
-};
-
 struct Sheets {
   std::uint32_t half_space = 0;
   SheetShape shape = SheetShape::none;
@@ -67,9 +63,10 @@ struct Sheets {
 
 // Where a constraint may vanish: an irreducible curve of degree three or four, on which P^2 = R^2 d on two sheets.
 struct TracedQuartic {
-  QuarticForm curve;
-  std::vector<std::uint32_t> constraints;  // indices: of whose n it is a factor
-  std::optional<Radical> radical;          // of the first of them, on two sheets
+  KnownQuartic* curve = nullptr;                  // the table's
+  std::vector<std::uint32_t> constraints;         // indices: of whose n it is a factor
+  std::vector<const std::vector<Curve>*> others;  // of each of these: the n's other factors of degree one and two
+  std::optional<Radical> radical;                 // of the first of them, on two sheets
 };
 
 // The curves on which the sheets appear or a constraint may change sign, without common components. A pole comes first.

@@ -20,26 +20,31 @@ bool SheetPresence::may_show(const IntervalPoint& point) const {
 PresenceOnLine::PresenceOnLine(const SheetPresence& presence, std::int64_t y)
     : presence_(presence), y_(y), enclosed_(presence.enclosed_.on_line(static_cast<double>(y))) {}
 
-bool PresenceOnLine::shows_at(const RowPoint& x) const {
-  if (!is_small(x.near())) return shows_exactly(x.exact(), nullptr);
-  const Verdict verdict = enclosed_.shows_over(x.near());
-  return verdict == Verdict::unsure ? shows_exactly(x.exact(), &x.near()) : verdict == Verdict::everywhere;
+int PresenceOnLine::hider_at(const RowPoint& x) const {
+  if (!is_small(x.near())) return exact_hider(x.exact(), nullptr);
+  switch (enclosed_.shows_over(x.near())) {
+    case Verdict::nowhere:
+      return enclosed_.last_hider();
+    case Verdict::everywhere:
+      return nothing_hides;
+    default:
+      return exact_hider(x.exact(), &x.near());
+  }
 }
 
 // `near`: a place whose enclosures settle most of it.
-bool PresenceOnLine::shows_exactly(const LineRoot& x, const Interval* near) const {
+int PresenceOnLine::exact_hider(const LineRoot& x, const Interval* near) const {
   const Sheets& sheets = presence_.sheets_;
-  const mpz_class y = static_cast<long>(y_);
   if (near == nullptr || !enclosed_.surely_exists(*near)) {
-    if (sheets.shape == SheetShape::two_sheets && sign_at(restricted(sheets.d, y), x) < 0) return false;
-    if (sheets.shape == SheetShape::rational && sign_at(restricted(sheets.surface.b, y), x) == 0) return false;
+    if (sheets.shape == SheetShape::two_sheets && sign_at(restricted(sheets.d, y_), x) < 0) return sheet_hides;
+    if (sheets.shape == SheetShape::rational && sign_at(restricted(sheets.surface.b, y_), x) == 0) return sheet_hides;
   }
   for (std::size_t i = 0; i < sheets.constraints.size(); ++i) {
     if (near != nullptr && enclosed_.surely_holds(i, *near)) continue;
     const Constraint& k = sheets.constraints[i];
-    if (k.surface.sense * ValueOnLine(sheets, k, y).sign(presence_.sheet_, x) > 0) return false;
+    if (k.surface.sense * ValueOnLine(sheets, k, y_).sign(presence_.sheet_, x) > 0) return static_cast<int>(i);
   }
-  return true;
+  return nothing_hides;
 }
 
 }  // namespace halfspace

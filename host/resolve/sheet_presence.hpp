@@ -33,10 +33,11 @@ class PresenceOnLine {
   // Keeps a reference to `presence`.
   PresenceOnLine(const SheetPresence& presence, std::int64_t y);
 
-  [[nodiscard]] bool shows_at(const RowPoint& x) const;
+  // What hides the point (enclosed_sheet.hpp).
+  [[nodiscard]] int hider_at(const RowPoint& x) const;
 
  private:
-  [[nodiscard]] bool shows_exactly(const LineRoot& x, const Interval* near) const;
+  [[nodiscard]] int exact_hider(const LineRoot& x, const Interval* near) const;
 
   const SheetPresence& presence_;
   std::int64_t y_;

@@ -19,27 +19,39 @@ Curve radical_line(const Curve& p, const Curve& q) {
   return minus_multiple(q.q[i] * p, p.q[i], q);
 }
 
-}  // namespace
-
-void trace(Curve p, std::optional<Section> section, bool later, std::vector<TracedCurve>& curves) {
+// Each factor's place among the curves, where it is put if it is new.
+template <class Tell>
+void for_each_factor(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves, const Tell& tell) {
   std::vector<Curve> factors;
   append_factors(std::move(p), factors);
   if (factors.size() != 1) section.reset();
   for (Curve& factor : factors) {
     const auto same = [&factor](const TracedCurve& known) { return same_curve(known.curve, factor); };
-    const auto known = std::find_if(curves.begin(), curves.end(), same);
-    if (known != curves.end()) {
-      known->later = known->later || later;
-      continue;
+    auto known = std::find_if(curves.begin(), curves.end(), same);
+    if (known == curves.end()) {
+      IntervalCurve enclosed = interval_curve(factor);
+      known =
+          curves.insert(known, {std::move(factor), enclosed, std::exchange(section, std::nullopt), false, false, {}});
     }
-    IntervalCurve enclosed = interval_curve(factor);
-    curves.push_back({std::move(factor), enclosed, std::exchange(section, std::nullopt), later});
+    tell(*known);
   }
 }
 
+}  // namespace
+
+void trace_own(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves) {
+  for_each_factor(std::move(p), std::move(section), curves, [](TracedCurve& traced) { traced.own = true; });
+}
+
+void trace(Curve p, std::optional<Section> section, bool later, std::uint32_t constraint,
+           std::vector<TracedCurve>& curves) {
+  for_each_factor(std::move(p), std::move(section), curves, [later, constraint](TracedCurve& traced) {
+    traced.later = traced.later || later;
+    traced.constraints.push_back(constraint);
+  });
+}
+
 std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, const TracedCurve& q) {
-  if (p.enclosed.is_line) return std::vector{p.curve};
-  if (q.enclosed.is_line) return std::vector{q.curve};
   if (p.section && q.section) {  // where both are 0, factor q line p = +- factor p line q
     if (is_zero(p.section->line)) return std::vector{q.section->line};
     if (is_zero(q.section->line)) return std::vector{p.section->line};

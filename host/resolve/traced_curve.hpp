@@ -2,6 +2,7 @@
 // A section of a quadric with a plane has, in the terms of sheet.hpp, P = line and R = factor constant: it is line^2 = factor^2 d.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,13 +21,19 @@ struct TracedCurve {
   Curve curve;  // irreducible over the rationals, canonical
   IntervalCurve enclosed;
   std::optional<Section> section;
-  bool later = false;  // of a half-space after the face's own
+  bool later = false;                      // of a half-space after the face's own
+  bool own = false;                        // where the sheets begin: a limb or a pole
+  std::vector<std::uint32_t> constraints;  // indices: of whose zeros it is a part
 };
 
-// Adds the factors of p, none twice; `section` is p's.
-void trace(Curve p, std::optional<Section> section, bool later, std::vector<TracedCurve>& curves);
+// Adds the factors of p, where the sheets begin.
+void trace_own(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves);
 
-// Lines that pass through every point where p and q meet: p meets each of them there. None known: nothing.
+// Adds the factors of p, none twice, as zeros of a constraint; `section` is p's.
+void trace(Curve p, std::optional<Section> section, bool later, std::uint32_t constraint,
+           std::vector<TracedCurve>& curves);
+
+// Lines that pass through every point where two curves of second order meet: p meets each of them there. None known: nothing.
 [[nodiscard]] std::optional<std::vector<Curve>> lines_through_meeting(const TracedCurve& p, const TracedCurve& q);
 
 }  // namespace halfspace
