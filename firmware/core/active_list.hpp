@@ -32,19 +32,18 @@ class ActiveList {
     }
     awake_ = kept;
   }
-  // Lays those of an all awake list to rest that may; the order of the others is lost.
+  // Lays those of the awake, from the one at `first` on, to rest that may; the order of these is lost.
   template <class Rests>
-  void rest(const Rests& rests) {
-    const std::size_t all = awake_;
-    for (std::size_t i = 0; i < awake_;) {
-      if (rests(words_[i])) {
-        std::swap(words_[i], words_[--awake_]);
-      } else {
+  void rest(std::size_t first, const Rests& rests) {
+    for (std::size_t i = first; i < awake_;) {
+      const std::uint16_t slot = words_[i];
+      if (!rests(slot)) {
         ++i;
+        continue;
       }
+      words_[i] = words_[--awake_];
+      words_[words_.size() - ++resting_] = slot;
     }
-    resting_ = all - awake_;
-    std::copy_backward(words_.data() + awake_, words_.data() + all, words_.data() + words_.size());
   }
   void wake_all() {
     for (const std::uint16_t slot : resting()) add(slot);

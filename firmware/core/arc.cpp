@@ -199,7 +199,7 @@ struct WideConicArc {
 
 // Moves the registers to the first dot of [x_min, x_end] at or right of the crossing.
 template <class Arc>
-ArcCrossing settle(Arc& arc) {
+std::int16_t seek(Arc& arc) {
   Cursor& at = arc.at;
   if (at.x < at.x_end && !arc.at_or_right()) {
     do {
@@ -209,8 +209,14 @@ ArcCrossing settle(Arc& arc) {
   } else {
     while (at.x > at.x_min && arc.back()) --at.x;
   }
-  ArcCrossing crossing{at.x, at.x};
-  if (at.x < at.x_end && !arc.right()) ++crossing.right;
+  return at.x;
+}
+
+template <class Arc>
+ArcCrossing settle(Arc& arc) {
+  const std::int16_t x = seek(arc);
+  ArcCrossing crossing{x, x};
+  if (x < arc.at.x_end && !arc.right()) ++crossing.right;
   return crossing;
 }
 
@@ -247,8 +253,13 @@ constexpr ArcModule module_that_rests = [] {
   module.jump_down = [](void* state, std::int32_t lines) { static_cast<Arc*>(state)->form.jump_y(lines); };
   module.ahead = [](const void* state, std::int32_t lines) {
     Arc arc = *static_cast<const Arc*>(state);
-    arc.form.jump_y(lines);
-    return settle(arc);
+    CrossingsAhead ahead{};
+    const std::array<std::int32_t, 3> lines_between{lines / 2, lines / 2, lines % 2};
+    for (std::size_t i = 0; i < ahead.size(); ++i) {
+      arc.form.jump_y(lines_between[i]);
+      ahead[i] = seek(arc);
+    }
+    return ahead;
   };
   return module;
 }();

@@ -14,6 +14,7 @@
 // Source  Peredy 1991 (registers); Ressler 1985, 5.5.2 (tracing show-edges), made exact.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "firmware/core/job_reader.hpp"
@@ -33,6 +34,9 @@ struct ArcStart {
   std::int32_t x_min = 0, x_max = 0;        // scissor
 };
 
+// The first dots at or right of a crossing on lines to come: halfway, at twice that, and on the last one.
+using CrossingsAhead = std::array<std::int16_t, 3>;
+
 // One kind of arc: a narrow program of its own, linked only where a table of kinds names it. `state` is
 // `bytes` long and aligned to 8.
 struct ArcModule {
@@ -43,7 +47,7 @@ struct ArcModule {
   void (*enter_window)(JobReader& in, void* state);  // the rest of a window record; null: the kind has none
   // Kinds whose crossing curves one way all along may rest (curtain.hpp); both null: to look ahead would cost what a rest saves.
   void (*jump_down)(void* state, std::int32_t lines);
-  ArcCrossing (*ahead)(const void* state, std::int32_t lines);  // what settle() will say after so many lines more
+  CrossingsAhead (*ahead)(const void* state, std::int32_t lines);  // what settle() will say on so many lines more
 };
 
 extern const ArcModule line_arc_64, line_arc_128, line_arc_256;

@@ -71,16 +71,19 @@ std::int32_t levels_met(const ShadeJob& job, std::int32_t n) {
   return static_cast<std::int32_t>(std::min(gaps * face.steps / std::max<std::uint32_t>(face.gaps, 1), 2 * levels));
 }
 
-struct Costs {
-  std::int32_t dot_by_dot, general, sphere, straight;
+std::int32_t dot_by_dot_cost(Shader shader, std::int32_t n, std::int32_t r) {
+  return shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
+}
 
-  Costs(const ShadeJob& job, Shader shader, std::int32_t n) {
-    const std::int32_t r = levels_met(job, n);
-    dot_by_dot = shader == Shader::contour ? std::numeric_limits<std::int32_t>::max() : ways.dot_by_dot.cost(n, r);
+struct Costs {
+  std::int32_t r;  // levels met
+  std::int32_t dot_by_dot, general, straight;
+
+  Costs(const ShadeJob& job, Shader shader, std::int32_t n) : r(levels_met(job, n)) {
+    dot_by_dot = dot_by_dot_cost(shader, n, r);
     const std::int32_t edges = job.painter.edges_of(r);          // the only levels that are looked for
     general = ways.general.cost(n, std::min(r, 7 * edges / 4));  // by chords instead of tracks they take 7/4 as much
     general += job.contours->dear;
-    sphere = ways.sphere.cost(n, edges);
     straight = ways.straight.cost(n, edges) + ways.skip * r;
   }
 };
@@ -100,27 +103,43 @@ bool has_corner(const ShadeJob& job, std::int32_t y, std::int32_t x) {
   return line == y || line == all_lines;
 }
 
+// How many lines to come a span of n dots tells of: a narrow one of few.
+std::int32_t lines_told(const ShadeJob& job, std::int32_t y, std::int32_t n) {
+  return std::min(lines_left(job.face, y), 4 * n);
+}
+
+// A sphere's contours cost less than other ones of its levels would. False: it goes dot by dot, unless it is no longer a sphere.
+bool shade_sphere(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  FaceContours& face = *job.contours;
+  const std::int32_t n = x1 - x0 + 1;
+  const std::int32_t r = levels_met(job, n);
+  const std::int32_t gain = dot_by_dot_cost(shader, n, r) - ways.sphere.cost(n, job.painter.edges_of(r));
+  if (gain <= 0) return false;
+  if (face.sphere.fraction == 0) {
+    if (!is_begun(face, lines_told(job, y, n), gain, ways.sphere_start)) return false;
+    if (!make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
+  }
+  return face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1);
+}
+
 bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   FaceContours& face = *job.contours;
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
+  if (face.kind == ContourKind::sphere) {
+    const bool done = shade_sphere(job, shader, y, x0, x1);
+    if (done || face.kind == ContourKind::sphere) return done;
+  }
   face.dear -= face.dear / 4;
   const std::int32_t n = x1 - x0 + 1;
-  const std::int32_t lines = std::min(lines_left(job.face, y), 4 * n);  // a narrow span tells little of many
+  const std::int32_t lines = lines_told(job, y, n);
   const Costs costs(job, shader, n);
-  if (face.kind == ContourKind::sphere && costs.sphere < std::min(costs.general, costs.dot_by_dot)) {
-    if (face.sphere.fraction == 0) {
-      if (!is_begun(face, lines, costs.dot_by_dot - costs.sphere, ways.sphere_start)) return false;
-      if (!make_sphere(job, face.sphere)) face.kind = ContourKind::curved;
-    }
-    if (face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1)) return true;
-  }
   bool pays = costs.general < costs.dot_by_dot;
   if (face.general.bars.error == 0) {
     pays = is_begun(face, lines, costs.dot_by_dot - costs.general, ways.general_start);
   }
   const SurveyChance survey{std::max<std::int32_t>(std::min(costs.general, costs.dot_by_dot) - costs.straight, 0),
-                            ways.survey + ways.survey_level * std::min(2 * levels_met(job, n) + 8, job.table.levels)};
+                            ways.survey + ways.survey_level * std::min(2 * costs.r + 8, job.table.levels)};
   const bool by_rulings = survey.gain > 0 && face.kind != ContourKind::general;
   if (by_rulings && face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) {
     face.straight.missed += survey.gain / 2;

@@ -17,9 +17,9 @@ namespace {
 
 struct ArcSlot {
   const ArcModule* module = nullptr;
-  std::int16_t last = -1;  // scan line
-  ArcCrossing crossing;    // stale while it rests
-  bool rests = false;      // it stands where the strip began
+  std::int16_t last = -1;     // scan line
+  ArcCrossing crossing;       // stale while it rests
+  std::int8_t rests_at = -1;  // the line of the strip where it stands while it rests; -1: it is awake
 };
 
 struct CellSlot {
@@ -29,7 +29,8 @@ struct CellSlot {
   std::int16_t x0 = 0, x1 = -1;  // dots on the current line; at rest: all that it may have on the strip
   bool fixed : 1 = false;
   bool rational : 1 = false;  // its face: some dots may have no depth
-  bool bounded : 1 = false;   // on a strip that begins: x0 and x1 are, and its face's block
+  bool bounded : 1 = false;   // for what is left of a strip: x0 and x1 are, and its face's block
+  bool rests : 1 = false;
 };
 
 // Carves pools out of the caller's memory, each aligned to 8 bytes. With no memory it only counts.
@@ -107,6 +108,9 @@ void carve_contours(Arena& arena, const JobHeader& h, Pools& p) {
   p.blocks = arena.take<std::uint32_t>(words * std::min({p.contours.size(), most_blocks, arena.left() / (4 * words)}));
 }
 
+// Lines of a strip that a cell may rest on, at least: to find out costs about as much as three of them.
+constexpr std::int32_t least_rest = 4;
+
 class Engine {
  public:
   Engine(const JobHeader& header, const Pools& pools, JobReader& in, BandSink& sink, const DrawOptions& options,
@@ -126,7 +130,9 @@ class Engine {
         arcs_(pools.active_arcs),
         cells_(pools.active_cells),
         painter_(header.page, pools.row, pools.patterns, pools.edges),
-        levels_(make_levels(header.lighting, header.page.levels, pools.squares)) {}
+        levels_(make_levels(header.lighting, header.page.levels, pools.squares)),
+        wants_contours_(modules.contours != nullptr &&
+                        (options.shader == Shader::contour || options.shader == Shader::automatic)) {}
 
   void run() {
     next_record();
@@ -134,8 +140,14 @@ class Engine {
       result_.line = y;
       painter_.begin(y);
       advance(y);
+      const std::size_t arcs = arcs_.awake().size();
+      const std::size_t cells = cells_.awake().size();
       read_records(y);
-      if (result_.status == DrawStatus::ok && y - strip_ == strip_rows) begin_strip(y);
+      if (result_.status == DrawStatus::ok && y - strip_ == strip_rows) {
+        begin_strip(y);
+      } else if (result_.status == DrawStatus::ok && is_hung_) {
+        rest_hidden(y, cells, arcs);
+      }
       if (result_.status == DrawStatus::ok) sweep(y);
       if (result_.status == DrawStatus::ok && !options_.measure) put_row(y);
     }
@@ -213,7 +225,7 @@ class Engine {
       p_.contours[number] = {};
       if ((number + 1) * words <= p_.blocks.size())
         p_.contours[number].block = p_.blocks.subspan(number * words, words);
-    } else if (wants_contours()) {
+    } else if (wants_contours_) {
       ++result_.counters.crowded_faces;
     }
   }
@@ -235,8 +247,8 @@ class Engine {
     if (module == nullptr || module->bytes > h_.needs.arc_bytes) return fail(DrawStatus::missing_module);
     module->load(in_, start, state(number));
     if (in_.failed()) return;
+    if (p_.arcs[number].rests_at < 0 || !arcs_.wake(number)) arcs_.add(number);
     p_.arcs[number] = {module, last, module->settle(state(number))};
-    arcs_.add(number);
   }
 
   void read_window(std::int32_t y) {
@@ -274,9 +286,9 @@ class Engine {
     if (in_.failed() || p_.cells[number].last >= y || !has_depth(p_.faces[cell.face])) {
       return fail(DrawStatus::bad_record);
     }
+    if (!p_.cells[number].rests || !cells_.wake(number)) cells_.add(number);
     p_.cells[number] = cell;
     p_.cells[number].rational = p_.faces[cell.face].kind == FaceKind::rational;
-    cells_.add(number);
   }
 
   void* state(std::uint16_t arc) { return p_.arc_states.data() + arc * arc_bytes_; }
@@ -285,7 +297,7 @@ class Engine {
 
   // Brings the arcs to scan line y; arcs and cells whose last line has passed leave. Where a strip begins all wake.
   void advance(std::int32_t y) {
-    if (y - strip_ == strip_rows) wake_all();
+    if (y - strip_ == strip_rows) wake_all(y);
     cells_.remove([&](std::uint16_t number) { return p_.cells[number].last < y; });
     arcs_.remove([&](std::uint16_t number) {
       ArcSlot& arc = p_.arcs[number];
@@ -299,66 +311,88 @@ class Engine {
 
   // Brings an arc that rests to line y of the strip.
   void jump(std::uint16_t number, std::int32_t y) {
-    p_.arcs[number].module->jump_down(state(number), y - strip_);
-    p_.arcs[number].rests = false;
+    ArcSlot& arc = p_.arcs[number];
+    arc.module->jump_down(state(number), y - strip_ - arc.rests_at);
+    arc.rests_at = -1;
   }
 
-  // To the strip's last line.
-  void wake_all() {
-    for (const std::uint16_t number : arcs_.resting()) jump(number, strip_ + strip_end);
+  // To the line before y, the strip's last one, if they last beyond it.
+  void wake_all(std::int32_t y) {
+    for (const std::uint16_t number : arcs_.resting()) {
+      if (p_.arcs[number].last >= y) jump(number, y - 1);
+    }
+    for (const std::uint16_t number : cells_.resting()) p_.cells[number].rests = false;
     arcs_.wake_all();
     cells_.wake_all();
   }
 
   // Of a cell that has just entered.
   void wake_arc(std::uint16_t number, std::int32_t y) {
-    if (number == no_slot || !p_.arcs[number].rests) return;
+    if (number == no_slot || p_.arcs[number].rests_at < 0) return;
     jump(number, y);
     p_.arcs[number].crossing = p_.arcs[number].module->settle(state(number));
     arcs_.wake(number);
   }
 
-  // Where two cells in three and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip: those
-  // that it hides rest, and arcs that no other cell asks for.
+  // Where two cells in three and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip.
   void begin_strip(std::int32_t y) {
     strip_ = y;
-    if (static_cast<std::int32_t>(cells_.size()) <= 3 * spans_.used()) return;
+    is_hung_ = static_cast<std::int32_t>(cells_.size()) > 3 * spans_.used();
+    if (!is_hung_) return;
     curtain_.open();
-    for (const std::uint16_t number : cells_.awake()) p_.cells[number].bounded = covers_strip(p_.cells[number], y);
-    for (const std::uint16_t number : arcs_.awake()) p_.arcs[number].rests = lasts_strip(number, y);
-    cells_.rest([&](std::uint16_t number) {
-      const CellSlot& cell = p_.cells[number];
-      if (cell.bounded && curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low)) return true;
+    rest_hidden(y, 0, 0);
+  }
+
+  // Of the awake, from these places on: cells that the curtain hides on all that is left of the strip rest, and arcs that no other cell asks
+  // for. Where the strip begins they hang the curtain first.
+  void rest_hidden(std::int32_t y, std::size_t first_cell, std::size_t first_arc) {
+    for (const std::uint16_t number : cells_.awake().subspan(first_cell)) {
+      p_.cells[number].bounded = bound_on_strip(p_.cells[number], y);
+    }
+    for (const std::uint16_t number : arcs_.awake().subspan(first_arc)) {
+      ArcSlot& arc = p_.arcs[number];
+      if (arc.module->ahead != nullptr) arc.rests_at = static_cast<std::int8_t>(y - strip_);
+    }
+    cells_.rest(first_cell, [&](std::uint16_t number) {
+      CellSlot& cell = p_.cells[number];
+      cell.rests = cell.bounded && curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low);
+      if (cell.rests) return true;
       for (const std::uint16_t arc : {cell.left, cell.right}) {
-        if (arc != no_slot) p_.arcs[arc].rests = false;
+        if (arc != no_slot) p_.arcs[arc].rests_at = -1;
       }
       return false;
     });
-    arcs_.rest([&](std::uint16_t number) { return p_.arcs[number].rests; });
+    arcs_.rest(first_arc, [&](std::uint16_t number) { return p_.arcs[number].rests_at >= 0; });
   }
 
-  // Hangs a cell's part of the curtain and finds the dots between which it stays. False: it does not last, or may be anywhere in depth.
-  bool covers_strip(CellSlot& cell, std::int32_t y) {
-    if (cell.fixed || cell.rational || cell.last < y + strip_end) return false;
-    if (!lasts_strip(cell.left, y) || !lasts_strip(cell.right, y)) return false;
-    const CrossingRange left = cell.left == no_slot ? CrossingRange{h_.x0, h_.x0} : range_of(cell.left);
-    const CrossingRange right = cell.right == no_slot ? CrossingRange{h_.x1 + 1, h_.x1 + 1} : range_of(cell.right);
+  // Finds the dots between which a cell stays on what is left of the strip, and hangs its part of the curtain if that is all of it. False:
+  // that is too short to be worth it, or it may be anywhere.
+  bool bound_on_strip(CellSlot& cell, std::int32_t y) {
+    const std::int32_t end = strip_ + strip_end;
+    const std::int32_t lines = std::min<std::int32_t>(cell.last, end) - y;
+    if (cell.fixed || cell.rational || lines < least_rest) return false;
+    if (!is_seen_ahead(cell.left, y + lines) || !is_seen_ahead(cell.right, y + lines)) return false;
+    const CrossingRange left = cell.left == no_slot ? CrossingRange{h_.x0, h_.x0} : range_of(cell.left, lines);
+    const CrossingRange right =
+        cell.right == no_slot ? CrossingRange{h_.x1 + 1, h_.x1 + 1} : range_of(cell.right, lines);
     cell.x0 = static_cast<std::int16_t>(std::max(left.low, h_.x0));
     cell.x1 = static_cast<std::int16_t>(std::min(right.high, h_.x1));
     if (cell.x0 > cell.x1) return false;
     const DepthBlock& block = bounded_strip(p_.faces[cell.face], y, cell.x0, cell.x1);
-    curtain_.cover(left.high, right.low - 1, block.high);
+    if (lines == strip_end) curtain_.cover(left.high, right.low - 1, block.high);
     return true;
   }
 
-  [[nodiscard]] bool lasts_strip(std::uint16_t arc, std::int32_t y) const {
-    return arc == no_slot || (p_.arcs[arc].last >= y + strip_end && p_.arcs[arc].module->ahead != nullptr);
+  [[nodiscard]] bool is_seen_ahead(std::uint16_t arc, std::int32_t y) const {
+    return arc == no_slot || (p_.arcs[arc].last >= y && p_.arcs[arc].module->ahead != nullptr);
   }
 
-  [[nodiscard]] CrossingRange range_of(std::uint16_t number) {
+  // On so many lines to come.
+  [[nodiscard]] CrossingRange range_of(std::uint16_t number, std::int32_t lines) {
     const ArcSlot& arc = p_.arcs[number];
-    const auto after = [&](std::int32_t lines) { return arc.module->ahead(state(number), lines).at_or_right; };
-    return crossing_range(arc.crossing.at_or_right, after(strip_middle), after(strip_end), h_.x0, h_.x1);
+    const auto [middle, end, last] = arc.module->ahead(state(number), lines);
+    const CrossingRange range = crossing_range(arc.crossing.at_or_right, middle, end, h_.x0, h_.x1);
+    return {std::min<std::int32_t>(range.low, last), std::max<std::int32_t>(range.high, last)};
   }
 
   // The dots of a cell on the current line: closed between its arcs.
@@ -415,17 +449,13 @@ class Engine {
     if (!options_.measure) shade(y);
   }
 
-  [[nodiscard]] bool wants_contours() const {
-    return modules_.contours != nullptr && (options_.shader == Shader::contour || options_.shader == Shader::automatic);
-  }
-
   void shade_curved(const Span& span, std::int32_t y) {
     ActiveFace& face = p_.faces[span.face];
     const FaceModule& module = *module_of(face.kind);
     if (!face.ready) module.enter(face, h_.lighting);
     face.ready = true;
     ShadeJob job{face, h_.lighting, levels_, exact_, painter_, result_.counters, options_.stride, nullptr, p_.scratch};
-    if (span.face < p_.contours.size() && wants_contours()) {
+    if (span.face < p_.contours.size() && wants_contours_) {
       job.contours = &p_.contours[span.face];
     }
     if (job.contours == nullptr) return module.shade(job, options_.shader, y, span.x0, span.x1);
@@ -478,9 +508,11 @@ class Engine {
   SpanList spans_;
   Curtain curtain_;
   std::int32_t strip_ = -strip_rows;  // the line where the current strip began
+  bool is_hung_ = false;              // a curtain on it
   ActiveList arcs_, cells_;
   RowPainter painter_;
   LevelTable levels_;
+  bool wants_contours_;
   Record type_ = Record::end;
   std::int32_t enter_ = 0;
 };

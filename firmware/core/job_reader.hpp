@@ -29,17 +29,21 @@ class JobReader {
   // A wide number; one that does not fit Bits is malformed.
   template <int Bits>
   Wide<Bits> wide() {
+    constexpr int limb_bytes = limb_bits / 8;
     const int length = byte();
     if (length > Bits / 8) failed_ = true;
     Wide<Bits> value;
-    std::uint8_t last = 0;
-    for (int i = 0; i < length && !failed_; ++i) {
-      last = byte();
-      put_byte(value, i, last);
+    const int limbs = failed_ ? 0 : (length + limb_bytes - 1) / limb_bytes;
+    bool negative = false;
+    for (int i = 0; i < limbs; ++i) {
+      const int bits = 8 * std::min(length - i * limb_bytes, limb_bytes);
+      Limb limb = 0;
+      for (int at = 0; at < bits; at += 8) limb |= static_cast<Limb>(byte()) << at;
+      negative = (limb >> (bits - 1)) != 0;
+      if (negative && bits < limb_bits) limb |= ~Limb{0} << bits;
+      value.set_limb(i, limb);
     }
-    if ((last & 0x80U) != 0) {
-      for (int i = length; i < Bits / 8; ++i) put_byte(value, i, 0xff);
-    }
+    for (int i = limbs; negative && i < Wide<Bits>::limbs; ++i) value.set_limb(i, ~Limb{0});
     return failed_ ? Wide<Bits>() : value;
   }
 
@@ -50,13 +54,6 @@ class JobReader {
  private:
   bool refill();
   std::uint64_t varint(int max_bits);
-
-  template <int Bits>
-  static void put_byte(Wide<Bits>& value, int i, std::uint8_t b) {
-    constexpr int per_limb = limb_bits / 8;
-    const Limb shifted = static_cast<Limb>(b) << (i % per_limb * 8);
-    value.set_limb(i / per_limb, value.limb(i / per_limb) | shifted);
-  }
 
   ByteSource& source_;
   std::array<std::uint8_t, 64> buffer_{};

@@ -1,5 +1,6 @@
 #include "firmware/core/row_painter.hpp"
 
+#include <algorithm>
 #include <bit>
 
 namespace halfspace {
@@ -11,6 +12,7 @@ RowPainter::RowPainter(const Page& page, std::span<std::uint32_t> words, std::sp
   std::int32_t count = -2 * cell_side;  // bits 0 and `levels` of every line
   for (const std::uint32_t word : edges_) count += std::popcount(word);
   edge_share_ = (count << share_bits) / (cell_side * (page_.levels - 1));
+  edge_gap_ = (1 << 2 * share_bits) / std::max<std::int32_t>(edge_share_, 1);
 }
 
 void RowPainter::begin(std::int32_t y) {

@@ -38,6 +38,8 @@ class RowPainter {
   [[nodiscard]] LevelEdges edges() const { return LevelEdges(line_edges_); }
   // About as many of so many neighbouring levels look other than the level below.
   [[nodiscard]] std::int32_t edges_of(std::int32_t levels) const { return levels * edge_share_ >> share_bits; }
+  // And the reverse.
+  [[nodiscard]] std::int32_t levels_of(std::int32_t edges) const { return edges * edge_gap_ >> share_bits; }
 
  private:
   template <class DotBits>
@@ -50,6 +52,7 @@ class RowPainter {
   const std::uint32_t* line_edges_ = all_edges.data();
   static constexpr int share_bits = 8;
   std::int32_t edge_share_ = 1 << share_bits;  // of levels in the mean of all lines
+  std::int32_t edge_gap_ = 1 << share_bits;    // levels from one to the next, likewise
 };
 
 // A span's runs of one level from left to right, cheaper than fills: the word under way stays in a register, so that a change of level

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int place_bits = 15;
 constexpr std::int32_t one_dot = 1 << place_bits;
+constexpr std::int32_t deep = 1 << 24;         // a root that is off by little
 constexpr std::int64_t least_reach = 1 << 20;  // 2^-30, of a level no more than a radius high
 
 // --- a face's registers ---
@@ -45,6 +46,17 @@ Outline outline_of(const RootSurface& s) {
   const Real middle = -e1 / (e2 + e2);
   return {-d[0],  -d[3] / two_d0,         -d[1] / two_d0,
           middle, (-e2).root() / -two_d0, (e0 + (e1 * middle).half()).root() / -two_d0};
+}
+
+// Of the root s at a dot: chord's error over s, and quick_root's.
+std::int32_t root_error(std::int32_t s) {
+  return s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(s) >> 3)) + 6;
+}
+
+// Of a level in 2^-16, from that of the root.
+std::int32_t level_error(const SphereContours& c, std::int32_t ds) {
+  const auto dv = static_cast<std::uint32_t>(static_cast<std::int64_t>(c.reach) * ds >> 30);  // |b| <= reach
+  return static_cast<std::int32_t>(6 + (std::uint64_t{c.level_slope} * (dv + 12) >> 32));
 }
 
 // |N|^2 = q + r sqrt(D) with what rounding may have cut off.
@@ -89,10 +101,11 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const Real per_level = Real(most) / Real(g.unit);
   const Real radial = o.radius;
   const Real lift = c * o.root_kappa;
+  std::uint64_t bar_slope = 0;
   const bool lit_along_lines =
       put(out.reach, reach, 30) && out.reach >= least_reach && least_reach * g.unit / out.reach <= most &&
-      put(out.lift_slope, lift / reach, f + 32, 1 << 17) && put(out.lift_at, above * lift / reach, f + 32, 1 << 30) &&
-      put(out.bar_slope, radial / (Real(most) * reach), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
+      put(out.lift_slope, lift / reach, f + 32, 1 << 17) && put(out.bar_at, above * lift / reach, f + 32, 1 << 30) &&
+      put(bar_slope, radial / (Real(most) * reach), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
       put(out.alpha, a / reach, 32 + place_bits - f) &&
       put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
   const bool good = put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
@@ -100,7 +113,11 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
                     put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
                     put(out.level_slope, per_level / radial, 48 - f) && put(out.radius, radial, f) &&
                     put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30);
-  out.level_base = (static_cast<std::int64_t>(job.table.levels - 1) * g.ambient << 16) / g.unit;
+  const std::int64_t ambient = static_cast<std::int64_t>(job.table.levels - 1) * g.ambient;
+  out.bar_step = bar_slope * static_cast<std::uint32_t>(g.unit);
+  out.bar_at += bar_slope * static_cast<std::uint64_t>(ambient);
+  out.level_error = static_cast<std::int16_t>(level_error(out, root_error(deep)));
+  out.level_base = (ambient << 16) / g.unit;
   out.sure = 6 + (40 >> (f - place_bits));
   out.sure_if_narrow = 6 + (520 >> (f - place_bits));
   return good && (lit_along_lines || reach.is_zero()) &&
@@ -124,10 +141,7 @@ class SphereSpan {
     constexpr std::int64_t far = std::int64_t{41000} << place_bits;
     is_near_ = base > -far && base < far;
     base_ = static_cast<std::int32_t>(base);
-    const std::int64_t ambient = static_cast<std::int64_t>(job.table.levels - 1) * job.lighting.ambient;
-    bar_step_ = c.bar_slope * static_cast<std::uint32_t>(job.lighting.unit);
-    bar_at_ =
-        c.bar_slope * static_cast<std::uint64_t>(ambient) + c.lift_slope * static_cast<std::uint64_t>(up) + c.lift_at;
+    bar_at_ = c.lift_slope * static_cast<std::uint64_t>(up) + c.bar_at;
   }
   // A line that grazes the sphere, or a job that lies.
   [[nodiscard]] bool is_usable() const { return is_near_ && eta_ < c_.radius && eta_ > -c_.radius; }
@@ -138,7 +152,6 @@ class SphereSpan {
     // A dot inside level k's interval shows k + shift, one outside shows `step` less.
     const std::int32_t step = is_dark() ? -1 : 1;
     const std::int32_t shift = is_dark() ? -1 : 0;
-    const std::int32_t last = last_level(ka);
     const std::int32_t rise = (kb - ka) * step;
     const std::int32_t inside = ka + 1 + shift;
     const std::int32_t risen = inside + std::max<std::int32_t>(rise, 0) * step;
@@ -148,10 +161,8 @@ class SphereSpan {
     found.beginning = job_.scratch.data();
     Sweep sweep{found.first, risen - step, step};
     found.nested = find<true, false>(sweep, found.beginning);
-    sweep.last = last;
+    sweep.last = last_level(sweep);
     found.ending = find<true, true>(sweep, found.nested);
-    // As far as the first level that has no interval, or beyond by some that look alike.
-    const std::int32_t peaks = std::max<std::int32_t>(std::min(sweep.k * step, (last + step) * step) - risen * step, 0);
     found.end = found.ending;
     if (fallen != inside) {
       found.first_ending = edge(inside - step, -step);
@@ -159,7 +170,9 @@ class SphereSpan {
       found.end = find<false, true>(ending, found.ending);
     }
     job_.painter.is_bilevel() ? paint<BilevelRuns>(found, ka, shift, step) : paint<RunPainter>(found, ka, shift, step);
-    job_.counters.level_spans += static_cast<std::uint32_t>(1 + std::abs(rise) + 2 * peaks);
+    const std::ptrdiff_t changes = (found.end - found.beginning) + (found.ending - found.nested);
+    job_.counters.level_spans +=
+        1 + static_cast<std::uint32_t>(job_.painter.levels_of(static_cast<std::int32_t>(changes)));
   }
 
  private:
@@ -208,7 +221,7 @@ class SphereSpan {
 
   // C of level k.
   [[nodiscard]] std::int32_t bar_of(std::int32_t k) const {
-    return static_cast<std::int32_t>((bar_step_ * static_cast<std::uint32_t>(k) - bar_at_) >> 32);
+    return static_cast<std::int32_t>((c_.bar_step * static_cast<std::uint32_t>(k) - bar_at_) >> 32);
   }
   [[nodiscard]] Crossing crossing(std::int32_t k) const {
     const std::int32_t bar = bar_of(k);
@@ -301,33 +314,31 @@ class SphereSpan {
   [[nodiscard, gnu::noinline]] std::int32_t level_at(std::int32_t x) const {
     const auto xi =
         static_cast<std::int32_t>((static_cast<std::int64_t>(x - job_.face.origin_x) << c_.fraction) - centre_);
-    const Levels at = levels_of(c_.a, xi, c_.b, chord_ - static_cast<std::int64_t>(xi) * xi);
-    return level_between(job_, x, y_, at.low, at.high);
+    const Level at = level_of(c_.a, xi, c_.b, chord_ - static_cast<std::int64_t>(xi) * xi);
+    const std::int32_t low = clamped((at.level - at.error) >> 16);
+    const std::int32_t high = clamped((at.level + at.error) >> 16);
+    return low == high ? low : level_between(job_, x, y_, low, high);
   }
-  // The last boundary that the line may have: its brightest point, or the darkest one, shows it, be it seen or not. With the light across
-  // the line its dots are all alike.
-  [[nodiscard]] std::int32_t last_level(std::int32_t level) const {
-    if (c_.reach == 0) return is_dark() ? level + 1 : level;
-    const Levels at = levels_of(0, 0, is_dark() ? -c_.reach : c_.reach, chord_);
-    return is_dark() ? at.low + 1 : at.high;
+  // The last boundary that the line may have: its brightest point, or the darkest one, shows it, be it seen or
+  // not. With the light across the line its dots are all alike.
+  [[nodiscard]] std::int32_t last_level(const Sweep& sweep) const {
+    if (c_.reach == 0) return sweep.k - sweep.step;
+    const Level at = level_of(0, 0, is_dark() ? -c_.reach : c_.reach, chord_);
+    return is_dark() ? clamped((at.level - at.error) >> 16) + 1 : clamped((at.level + at.error) >> 16);
   }
-  struct Levels {
-    std::int32_t low, high;
+  struct Level {
+    std::int64_t level;  // 2^-16
+    std::int32_t error;
   };
-  // Between which a xi + b s + c eta lies.
-  [[nodiscard, gnu::noinline]] Levels levels_of(std::int32_t a, std::int32_t xi, std::int32_t b,
-                                                std::int64_t s2) const {
+  // By a xi + b s + c eta.
+  [[nodiscard, gnu::always_inline]] Level level_of(std::int32_t a, std::int32_t xi, std::int32_t b,
+                                                   std::int64_t s2) const {
     const std::int32_t s = quick_root(static_cast<std::uint64_t>(std::max<std::int64_t>(s2, 1)));
     const auto v = static_cast<std::int32_t>((static_cast<std::int64_t>(a) * xi + static_cast<std::int64_t>(b) * s +
                                               static_cast<std::int64_t>(c_.c) * eta_) >>
                                              30);
-    const std::int32_t ds =
-        s < 1 << 17 ? 1 << 18 : static_cast<std::int32_t>((1U << 31) / (static_cast<std::uint32_t>(s) >> 3)) + 6;
-    const auto dv = static_cast<std::int32_t>(static_cast<std::int64_t>(c_.reach) * ds >> 30);  // |b| <= reach
-    const std::int64_t level = c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32);
-    const auto error =
-        static_cast<std::int32_t>(6 + (std::uint64_t{c_.level_slope} * static_cast<std::uint32_t>(dv + 12) >> 32));
-    return {clamped((level - error) >> 16), clamped((level + error) >> 16)};
+    return {c_.level_base + (static_cast<std::int64_t>(c_.level_slope) * v >> 32),
+            s >= deep ? c_.level_error : level_error(c_, root_error(s))};
   }
   [[nodiscard]] std::int32_t clamped(std::int64_t level) const {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(level, job_.table.ambient_level, job_.table.top_level));
@@ -342,7 +353,7 @@ class SphereSpan {
   std::int32_t y_, x0_, x1_;
   std::int32_t eta_, base_;
   std::int64_t centre_, chord_;
-  std::uint64_t bar_step_, bar_at_;  // C of level k is k step - at, with 32 bits of fraction
+  std::uint64_t bar_at_;  // C of level k is k bar_step - at, with 32 bits of fraction
   bool is_near_;
 };
 

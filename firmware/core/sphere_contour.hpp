@@ -16,8 +16,8 @@ namespace halfspace {
 struct SphereContours {
   std::int64_t eta_slope, eta_at;        // eta = (slope (y - middle) + at) 2^-16, radial, y in the face's frame
   std::int64_t centre_slope, centre_at;  // the chord's centre, likewise
-  // C = (bar_slope threshold_k - lift_slope (y - middle) - lift_at) 2^-32, radial, modulo 2^32: |C| < 2^31 where a line may meet level k
-  std::uint64_t bar_slope = 0, lift_slope = 0, lift_at = 0;
+  // C = (bar_step k - lift_slope (y - middle) - bar_at) 2^-32, radial, modulo 2^32: |C| < 2^31 where a line may meet level k
+  std::uint64_t bar_step = 0, lift_slope = 0, bar_at = 0;
   std::int64_t level_base;  // level = (base + slope v 2^-32) 2^-16, v = R L / (|l| |N|), radial
   std::uint32_t level_slope;
   std::int32_t radius;               // radial
@@ -27,6 +27,7 @@ struct SphereContours {
   std::int32_t alpha = 0, beta = 0;  // a / A and |b| / A, places a radial unit 2^32
   std::int32_t sure;                 // error of a crossing where w >= wide, in places
   std::int32_t sure_if_narrow;       // ... where w >= narrow
+  std::int16_t level_error;          // of a level where the root is deep, in 2^-16: below 2^11
   std::uint8_t fraction = 0;         // f; 0: not made
 };
 

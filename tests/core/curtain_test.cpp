@@ -116,7 +116,7 @@ TEST(ActiveList, KeepsEachSlotOnceAndTheOrderOfThoseAwake) {
       awake.insert(awake.end(), resting.begin(), resting.end());
       resting.clear();
       const auto odd = [&](std::uint16_t other) { return other % 3 == step % 3; };
-      list.rest(odd);
+      list.rest(0, odd);
       std::copy_if(awake.begin(), awake.end(), std::back_inserter(resting), odd);
       std::erase_if(awake, odd);
       ASSERT_TRUE(std::is_permutation(awake.begin(), awake.end(), list.awake().begin(), list.awake().end()));
