@@ -8,17 +8,23 @@ constexpr int least_size_bits = 80;
 
 // The cofactors of the second-order part, in the places of its coefficients.
 std::array<Real, 6> cofactors(const std::array<Real, 10>& c) {
-  return {c[1] * c[2] - c[4] * c[4], c[0] * c[2] - c[5] * c[5], c[0] * c[1] - c[3] * c[3],
-          c[4] * c[5] - c[3] * c[2], c[3] * c[5] - c[4] * c[0], c[3] * c[4] - c[5] * c[1]};
+  const auto minor = [&c](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    Real difference = 0;
+    add_product(difference, c[i], c[j]);
+    add_product(difference, c[k], -c[l]);
+    return difference;
+  };
+  return {minor(1, 2, 4, 4), minor(0, 2, 5, 5), minor(0, 1, 3, 3),
+          minor(4, 5, 3, 2), minor(3, 5, 4, 0), minor(3, 4, 5, 1)};
 }
 
 // Of the second-order part, if it is clearly definite and positive; else 0.
 Real determinant(const std::array<Real, 10>& c, const std::array<Real, 6>& cofactor) {
   Real most = 0;
   for (std::size_t i = 0; i < 6; ++i) most = larger(most, magnitude(c[i]));
-  if (smaller(c[0], smaller(c[1], c[2])) <= most * power_of_two(-16) || !(cofactor[2] > 0)) return 0;
-  const Real det = c[0] * cofactor[0] + c[3] * cofactor[3] + c[5] * cofactor[5];
-  return det > c[0] * c[1] * c[2] * power_of_two(-20) ? det : 0;
+  if (smaller(c[0], smaller(c[1], c[2])) <= times_power_of_two(most, -16) || !(cofactor[2] > 0)) return 0;
+  const Real det = dot({c[0], c[3], c[5]}, {cofactor[0], cofactor[3], cofactor[5]});
+  return det > times_power_of_two(c[0] * c[1] * c[2], -20) ? det : 0;
 }
 
 }  // namespace
@@ -43,7 +49,7 @@ std::optional<Box> ellipsoid_extent(const Side& side) {
     size -= term;
     terms += magnitude(term);
   }
-  if (!(size > terms * power_of_two(-least_size_bits))) return std::nullopt;
+  if (!(size > times_power_of_two(terms, -least_size_bits))) return std::nullopt;
   Vector3 half{};
   for (std::size_t i = 0; i < 3; ++i) {
     const bool is_round = i > 0 && cofactor[i] == cofactor[i - 1];

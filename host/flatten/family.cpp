@@ -292,8 +292,8 @@ std::optional<std::vector<Quantised>> quantise_family(std::span<const FamilyMemb
   const IntegerPoint origin = round_to_integers(local.centre);
   for (std::size_t i = 0; i < members.size(); ++i) {
     IntegerForm& form = (*all)[i].form;
-    form = primitive(std::move(form));
-    if (members[i].kin.ratio < 0) form = negated(std::move(form));
+    make_primitive(form);
+    if (members[i].kin.ratio < 0) negate(form);
     form.origin = origin;
   }
   return all;

@@ -4,6 +4,7 @@
 #include <array>
 #include <deque>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -64,6 +65,30 @@ struct Surface {
   std::size_t first = 0;  // that half-space
   bool is_moved = false;  // the shape is what a clan makes of it
   std::optional<Quantised> quantised;
+};
+
+// The bodies that use each half-space, once for each use.
+class Users {
+ public:
+  explicit Users(const PlacedScene& scene) : first_(scene.half_spaces.size() + 1) {
+    for (const PlacedBody& body : scene.bodies) {
+      for (const HalfSpaceUse& use : body.uses) ++first_[use.half_space + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    bodies_.resize(first_.back());
+    std::vector<std::size_t> next = first_;
+    for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+      for (const HalfSpaceUse& use : scene.bodies[i].uses) bodies_[next[use.half_space]++] = i;
+    }
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t half_space) const {
+    return std::span(bodies_).subspan(first_[half_space], first_[half_space + 1] - first_[half_space]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> bodies_;
 };
 
 class Flattener {
@@ -375,25 +400,22 @@ class Flattener {
     const Vector3 middle{Real(options_.width) / 2, Real(options_.height) / 2, vrp_depth()};
     SurfaceMating mating(middle, std::max(options_.width, options_.height), half_spaces_.size());
     surfaces_.reserve(half_spaces_.size());
-    std::vector<std::vector<std::uint32_t>> users(half_spaces_.size());
-    for (std::uint32_t body = 0; body < placed_.bodies.size(); ++body) {
-      for (const HalfSpaceUse& use : placed_.bodies[body].uses) users[use.half_space].push_back(body);
-    }
+    const Users users(placed_);
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
       if (!half_spaces_[i].region) continue;
       const PlacedHalfSpace& own = placed_.half_spaces[i];
       const auto join = [&](const PlacedHalfSpace& source, const RealHalfSpace& on_page, const Region& region) {
-        return join_surface({on_page, &source, &placed_.places[source.place]}, region, i, users[i], mating);
+        return join_surface({on_page, &source, &placed_.places[source.place]}, region, i, users.of(i), mating);
       };
       half_spaces_[i].use = join(own, half_spaces_[i].shape, *half_spaces_[i].region);
-      half_spaces_[i].planes = join_plane_pair(own, users[i], join);
+      half_spaces_[i].planes = join_plane_pair(own, users.of(i), join);
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i) surfaces_[i].region = mating.region_of(i);
   }
 
   // None where it has no surface.
   std::optional<SurfaceUse> join_surface(const MatingSurface& surface, const Region& region, std::size_t half_space,
-                                         const std::vector<std::uint32_t>& users, SurfaceMating& mating) {
+                                         std::span<const std::uint32_t> users, SurfaceMating& mating) {
     const PlacedHalfSpace& source = *surface.source;
     if (!has_surface(surface.on_page, source.kin)) return std::nullopt;
     const auto match = mating.add(surface, region, users);
@@ -404,7 +426,7 @@ class Flattener {
   // A quadric that is two planes joins with each of them too, so that it touches what they do.
   template <typename Join>
   std::optional<std::array<SurfaceUse, 2>> join_plane_pair(const PlacedHalfSpace& source,
-                                                           const std::vector<std::uint32_t>& users, const Join& join) {
+                                                           std::span<const std::uint32_t> users, const Join& join) {
     if (source.shape.kind != HalfSpaceKind::quadric) return std::nullopt;
     const auto pair = plane_pair_of(source.shape, source.kin);
     if (!pair) return std::nullopt;
@@ -538,8 +560,8 @@ class Flattener {
       result.bound = larger(result.bound, larger(plane->bound, off));
     }
     add_twice_product(result.form, forms[0], forms[1]);
-    result.form = primitive(std::move(result.form));
-    if (uses[0].opposite != uses[1].opposite) result.form = negated(std::move(result.form));
+    make_primitive(result.form);
+    if (uses[0].opposite != uses[1].opposite) negate(result.form);
     return result;
   }
 
@@ -605,7 +627,11 @@ class Flattener {
                                   double_above(h.bound), statement.name, statement.position});
     }
     if (!options_.boxes) {
-      set_dots(scissor_box(), body);
+      const Scissor& scissor = page_.scissor;
+      body.x0 = scissor.x0;
+      body.y0 = scissor.y0;
+      body.x1 = scissor.x1;
+      body.y1 = scissor.y1;
     } else if (sides.empty()) {  // a surface by itself lies where the true one does, to 1/16 dot at worst
       set_dots({difference(box.low, around_box), sum(box.high, around_box)}, body);
     } else {

@@ -1,5 +1,7 @@
 #include "host/flatten/integer_form.hpp"
 
+#include "host/algebra/content.hpp"
+
 namespace halfspace {
 
 IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
@@ -26,21 +28,10 @@ IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
   return result;
 }
 
-IntegerForm primitive(IntegerForm form) {
-  mpz_class common = 0;
-  for (const mpz_class& v : form.c) {
-    if (sgn(v) == 0) continue;
-    mpz_gcd(common.get_mpz_t(), common.get_mpz_t(), v.get_mpz_t());
-    if (common == 1) return form;
-  }
-  if (sgn(common) == 0) return form;
-  for (mpz_class& v : form.c) mpz_divexact(v.get_mpz_t(), v.get_mpz_t(), common.get_mpz_t());
-  return form;
-}
+void make_primitive(IntegerForm& form) { divide_by_content(form.c); }
 
-IntegerForm negated(IntegerForm form) {
-  for (mpz_class& v : form.c) v = -v;
-  return form;
+void negate(IntegerForm& form) {
+  for (mpz_class& v : form.c) mpz_neg(v.get_mpz_t(), v.get_mpz_t());
 }
 
 void add_square(IntegerForm& quadric, const mpz_class& factor, const IntegerLinear& linear) {

@@ -22,11 +22,11 @@ struct IntegerForm {
 // The same form seen from elsewhere in the dot frame. Exact; the common factor stays what it was.
 [[nodiscard]] IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin);
 
-// Without its common factor.
-[[nodiscard]] IntegerForm primitive(IntegerForm form);
+// Takes its common factor out.
+void make_primitive(IntegerForm& form);
 
 // The same surface, written the other way round.
-[[nodiscard]] IntegerForm negated(IntegerForm form);
+void negate(IntegerForm& form);
 
 // Adds factor * linear^2 to a quadric.
 void add_square(IntegerForm& quadric, const mpz_class& factor, const IntegerLinear& linear);

@@ -7,8 +7,12 @@
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+
+#include "host/algebra/truncated.hpp"
 
 namespace halfspace {
 
@@ -59,6 +63,11 @@ inline Interval operator/(const Interval& a, const Interval& b) {
 [[nodiscard]] inline Interval enclosure(const mpz_class& value, long exponent) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (sgn(value) == 0) return {};
+  if (mpz_size(value.get_mpz_t()) <= 14 && exponent >= 0 && exponent <= 900) {  // no shorter than 2^-900
+    const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
+    const double scaled = truncated(value) * unit;
+    return outward(scaled, scaled);
+  }
   long own = 0;
   const double mantissa = mpz_get_d_2exp(&own, value.get_mpz_t());  // truncated: off by less than one unit
   const long shift = std::max(own - exponent, -4000L);

@@ -8,8 +8,8 @@ constexpr int far_bits = 36;
 constexpr int dropped_part_bits = 36;
 
 Real target_for(Real across) {
-  const Real ratio = larger(1, across / 1024);
-  return smaller(power_of_two(-14) * ratio * ratio, power_of_two(-4));
+  if (across <= 1024) return power_of_two(-14);
+  return smaller(times_power_of_two(across * across, -34), power_of_two(-4));
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ LocalBox local_box(const Region& region) {
   const Box& box = region.box;
   LocalBox local;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Real centre = nearest_whole((box.low[i] + box.high[i]) / 2);
+    const Real centre = nearest_whole(times_power_of_two(box.low[i] + box.high[i], -1));
     local.centre[i] = centre;
     local.half[i] = larger(larger(box.high[i] - centre, centre - box.low[i]), 1);
   }
@@ -35,12 +35,8 @@ LocalBox local_box(const Region& region) {
 }
 
 std::optional<Matrix4> inverse_from(const LocalBox& box, const Matrix4& inverse) {
-  Matrix4 shift = identity_matrix;
-  for (std::size_t i = 0; i < 3; ++i) {
-    shift[3][i] = box.centre[i];
-    if (magnitude(shift[3][i]) > box.radius * power_of_two(far_bits)) return std::nullopt;
-  }
-  return product(shift, inverse);
+  if (largest(box.centre) > times_power_of_two(box.radius, far_bits)) return std::nullopt;
+  return shifted(box.centre, inverse);
 }
 
 Real reach(const Vector4& form, const LocalBox& box) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halfspace {
 namespace {
@@ -22,23 +23,13 @@ Real reach_of(HalfSpaceKind kind, std::size_t coordinate) {
 }
 
 // The grid's cells are 16 times as wide, 8 times for the distance of a plane, and the first reaches half its width to either side.
-double cells_per_unit(HalfSpaceKind kind, std::size_t coordinate) {
+constexpr double cells_per_unit(HalfSpaceKind kind, std::size_t coordinate) {
   if (kind == HalfSpaceKind::quadric) return 0x1p36;
   return coordinate == 3 ? 1 : 64;
 }
 
-// Cells of a coordinate's size, whichever its sign, and of its neighbours. The size is right to 2^-53 of itself: 2^-10 of a cell up to
-// 2^43 cells, and all that is further off has one cell.
-struct CellRange {
-  std::int64_t at, low, high;
-};
-CellRange cells_around(HalfSpaceKind kind, std::size_t coordinate, Real v) {
-  if (is_zero(v)) return {0, 0, 0};
-  const double cells = cells_per_unit(kind, coordinate);
-  const double size = std::min(std::abs(static_cast<double>(v)) * cells, 0x1p43) + 0.5;
-  const double reach = static_cast<double>(reach_of(kind, coordinate)) * cells + 0x1p-9;
-  const auto cell = [](double at) { return static_cast<std::int64_t>(at); };  // none is negative
-  return {cell(size), cell(size - reach), cell(size + reach)};
+constexpr double reach_in_cells(HalfSpaceKind kind, std::size_t coordinate) {
+  return kind == HalfSpaceKind::plane && coordinate == 3 ? 0x1p-3 : 0x1p-4;
 }
 
 RealHalfSpace with_unit_normal(const RealHalfSpace& plane) {
@@ -86,6 +77,42 @@ RealHalfSpace quadric_seen_from(const RealHalfSpace& quadric, const Vector3& ori
   return normalised(result);
 }
 
+// The same to within 2^-44, or none: a sum in doubles is off by less than 2^-49 of its terms, and so is what all are divided by.
+std::optional<std::array<double, 10>> near_quadric_seen_from(const RealHalfSpace& quadric, const Vector3& origin,
+                                                             Real size) {
+  std::array<double, 10> c{};
+  std::array<double, 10> terms{};  // sums of sizes
+  for (std::size_t i = 0; i < 10; ++i) {
+    c[i] = static_cast<double>(quadric.c[i]);
+    terms[i] = std::abs(c[i]);
+  }
+  std::array<double, 3> at{};
+  std::transform(origin.begin(), origin.end(), at.begin(), [](Real v) { return static_cast<double>(v); });
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double former = c[6 + i];
+    const double former_terms = terms[6 + i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double part = c[quadric_index[i][j]] * at[j];
+      c[6 + i] += part;
+      terms[6 + i] += std::abs(part);
+    }
+    c[9] += (former + c[6 + i]) * at[i];
+    terms[9] += (former_terms + terms[6 + i]) * std::abs(at[i]);
+  }
+  const auto unit = static_cast<double>(size);
+  double most = 0;
+  double most_terms = 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    const double scale = i < 6 ? unit * unit : i < 9 ? unit : 1;
+    c[i] *= scale;
+    most = std::max(most, std::abs(c[i]));
+    most_terms = std::max(most_terms, terms[i] * scale);
+  }
+  if (!(most_terms <= 16 * most)) return std::nullopt;
+  for (double& v : c) v /= most;
+  return c;
+}
+
 }  // namespace
 
 std::size_t SurfaceMating::KeyHash::operator()(const Key& key) const {
@@ -95,6 +122,30 @@ std::size_t SurfaceMating::KeyHash::operator()(const Key& key) const {
     hash ^= hash >> 29;
   }
   return hash;
+}
+
+// Whichever its sign. A size is right to 2^-53 of itself, which is 2^-10 of a cell up to 2^43 cells, or to 2^-8 of a cell: all that is
+// further off has one cell.
+SurfaceMating::CellRange SurfaceMating::cells_around(HalfSpaceKind kind, std::size_t coordinate, double v) {
+  if (v == 0) return {0, 0, 0};
+  const double cells = cells_per_unit(kind, coordinate);
+  const double size = std::min(std::abs(v) * cells, 0x1p43) + 0.5;
+  const double reach = reach_in_cells(kind, coordinate) + 0x1p-6;
+  const auto cell = [](double at) { return static_cast<std::int64_t>(at); };  // none is negative
+  return {cell(size), cell(size - reach), cell(size + reach)};
+}
+
+SurfaceMating::Cells SurfaceMating::cells_of(const RealHalfSpace& shape) const {
+  std::optional<std::array<double, 10>> near;
+  if (shape.kind == HalfSpaceKind::quadric) near = near_quadric_seen_from(shape, middle_, page_size_);
+  if (!near) {
+    const Position position = position_of(shape);
+    near.emplace();
+    std::transform(position.begin(), position.end(), near->begin(), [](Real v) { return static_cast<double>(v); });
+  }
+  Cells cells{};
+  for (std::size_t i = 0; i < 10; ++i) cells[i] = cells_around(shape.kind, i, (*near)[i]);
+  return cells;
 }
 
 SurfaceMating::Position SurfaceMating::position_of(const RealHalfSpace& shape) const {
@@ -120,25 +171,32 @@ std::optional<Real> SurfaceMating::plane_apart(const Candidate& candidate, const
   return larger(planes_apart(plane, other, candidate.region.box), planes_apart(plane, other, leader.first.box));
 }
 
+// What of a group's quadrics joined, if one did.
+std::optional<SurfaceMating::FamilyMember> SurfaceMating::member_of(const Leader& leader, std::size_t place) {
+  const PlacedHalfSpace& first = *leader.surface.source;
+  if (first.place == place) return FamilyMember(first.kin.family, first.kin.constant);
+  const auto known = leader.family_members.find(place);
+  return known == leader.family_members.end() ? std::nullopt : std::optional(known->second);
+}
+
 std::optional<Real> SurfaceMating::quadric_apart(const Candidate& candidate, const Leader& leader) {
   const PlacedHalfSpace& source = *candidate.surface.source;
-  const auto known = leader.family_member.find(source.place);
-  const bool one_group = known != leader.family_member.end();
-  if (one_group && known->second != std::pair(source.kin.family, source.kin.constant)) return std::nullopt;
+  const auto known = member_of(leader, source.place);
+  if (known && *known != FamilyMember(source.kin.family, source.kin.constant)) return std::nullopt;
   return quadric_distance(placed(leader.surface), placed(candidate.surface), candidate.region);
 }
 
-std::optional<Real> SurfaceMating::apart(const Candidate& candidate, const Leader& leader) {
+std::optional<Real> SurfaceMating::apart(const Candidate& candidate, Leader& leader) const {
   const RealHalfSpace& shape = candidate.surface.on_page;
   if (leader.surface.on_page.kind != shape.kind) return std::nullopt;
+  if (!leader.position) leader.position = position_of(leader.surface.on_page);
   for (std::size_t i = 0; i < 10; ++i) {
-    if (magnitude(candidate.position[i] - leader.position[i]) > reach_of(shape.kind, i)) return std::nullopt;
+    if (magnitude(candidate.position[i] - (*leader.position)[i]) > reach_of(shape.kind, i)) return std::nullopt;
   }
   return shape.kind == HalfSpaceKind::plane ? plane_apart(candidate, leader) : quadric_apart(candidate, leader);
 }
 
-void SurfaceMating::offer(const Candidate& candidate, std::size_t leader, bool opposite,
-                          std::optional<Match>& best) const {
+void SurfaceMating::offer(const Candidate& candidate, std::size_t leader, bool opposite, std::optional<Match>& best) {
   if (best && leader >= best->leader) return;
   const auto distance = apart(candidate, leaders_[leader]);
   if (distance && *distance <= agreement(candidate.region)) best = Match{leader, opposite, *distance};
@@ -146,58 +204,65 @@ void SurfaceMating::offer(const Candidate& candidate, std::size_t leader, bool o
 
 // The first leader that agrees, as it is written if both ways do. Cells do not tell a surface from its reverse; neighbours lie in those
 // of the corners around the position, most often all one cell.
-std::optional<SurfaceMating::Match> SurfaceMating::find(const Candidate& candidate) const {
+std::optional<SurfaceMating::Match> SurfaceMating::find(const MatingSurface& surface, const Cells& cells,
+                                                        const Region& region, std::span<const std::uint32_t> bodies) {
   Key low{};
-  Key high{};
   unsigned split = 0;  // which coordinates
   for (std::size_t i = 0; i < 10; ++i) {
-    const CellRange cells = cells_around(candidate.surface.on_page.kind, i, candidate.position[i]);
-    low[i] = cells.low;
-    high[i] = cells.high;
-    if (low[i] != high[i]) split |= 1U << i;
+    low[i] = cells[i].low;
+    if (cells[i].low != cells[i].high) split |= 1U << i;
   }
+  std::optional<Candidate> candidate;
   std::optional<Match> best;
   for (unsigned upper = split;; upper = (upper - 1) & split) {
     Key key = low;
     for (std::size_t i = 0; i < 10; ++i) {
-      if ((upper >> i & 1U) != 0) key[i] = high[i];
+      if ((upper >> i & 1U) != 0) key[i] = cells[i].high;
     }
     if (const auto found = cells_.find(key); found != cells_.end()) {
-      for (const std::size_t leader : found->second) {
-        offer(candidate, leader, false, best);
-        offer(reversed(candidate), leader, true, best);
+      if (!candidate) candidate.emplace(Candidate{surface, position_of(surface.on_page), region, bodies});
+      for (std::size_t leader = found->second.first; leader != no_leader; leader = leaders_[leader].next) {
+        offer(*candidate, leader, false, best);
+        offer(reversed(*candidate), leader, true, best);
       }
     }
     if (upper == 0) return best;
   }
 }
 
-void SurfaceMating::enlist(const Candidate& candidate, Leader& leader) {
-  leader.all = around(leader.all, candidate.region);
-  if (candidate.surface.on_page.kind == HalfSpaceKind::plane) {
-    leader.bodies.insert(candidate.bodies.begin(), candidate.bodies.end());
-  } else {
-    const PlacedHalfSpace& source = *candidate.surface.source;
-    leader.family_member.emplace(source.place, std::pair(source.kin.family, source.kin.constant));
+void SurfaceMating::enlist(const MatingSurface& surface, std::span<const std::uint32_t> bodies, Leader& leader) {
+  const PlacedHalfSpace& source = *surface.source;
+  if (surface.on_page.kind == HalfSpaceKind::plane) {
+    leader.bodies.insert(bodies.begin(), bodies.end());
+  } else if (source.place != leader.surface.source->place) {
+    leader.family_members.emplace(source.place, FamilyMember(source.kin.family, source.kin.constant));
   }
 }
 
+void SurfaceMating::add_to_cell(const Cells& cells, std::size_t leader) {
+  Key key{};
+  std::transform(cells.begin(), cells.end(), key.begin(), [](const CellRange& range) { return range.at; });
+  const auto [entry, is_new] = cells_.try_emplace(key, Cell{leader, leader});
+  if (is_new) return;
+  leaders_[std::exchange(entry->second.last, leader)].next = leader;
+}
+
 SurfaceMating::Match SurfaceMating::add(const MatingSurface& surface, const Region& region,
-                                        const std::vector<std::uint32_t>& bodies) {
-  const HalfSpaceKind kind = surface.on_page.kind;
+                                        std::span<const std::uint32_t> bodies) {
   MatingSurface own = surface;
-  if (kind == HalfSpaceKind::plane) own.on_page = with_unit_normal(own.on_page);
-  const Candidate candidate{own, position_of(own.on_page), region, bodies};
-  if (const auto match = find(candidate)) {
-    enlist(candidate, leaders_[match->leader]);
+  if (own.on_page.kind == HalfSpaceKind::plane) own.on_page = with_unit_normal(own.on_page);
+  const Cells cells = cells_of(own.on_page);
+  if (const auto match = find(own, cells, region, bodies)) {
+    Leader& leader = leaders_[match->leader];
+    leader.all = around(leader.all, region);
+    enlist(own, bodies, leader);
     return *match;
   }
-  Key key{};
-  for (std::size_t i = 0; i < 10; ++i) key[i] = cells_around(kind, i, candidate.position[i]).at;
-  cells_[key].push_back(leaders_.size());
-  leaders_.push_back({own, candidate.position, region, region, {}, {}});
-  enlist(candidate, leaders_.back());
-  return {leaders_.size() - 1, false, 0};
+  const std::size_t leader = leaders_.size();
+  leaders_.push_back({own, std::nullopt, region, region, {}, {}});
+  enlist(own, bodies, leaders_.back());
+  add_to_cell(cells, leader);
+  return {leader, false, 0};
 }
 
 }  // namespace halfspace

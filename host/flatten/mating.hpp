@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -47,13 +48,18 @@ class SurfaceMating {
   }
 
   // `bodies` use it.
-  Match add(const MatingSurface& surface, const Region& region, const std::vector<std::uint32_t>& bodies);
+  Match add(const MatingSurface& surface, const Region& region, std::span<const std::uint32_t> bodies);
 
   // Of all that joined the leader.
   [[nodiscard]] const Region& region_of(std::size_t leader) const { return leaders_[leader].all; }
   [[nodiscard]] std::size_t count() const { return leaders_.size(); }
 
  private:
+  // Cells of a coordinate's size, and of its neighbours.
+  struct CellRange {
+    std::int64_t at, low, high;
+  };
+  using Cells = std::array<CellRange, 10>;
   using Key = std::array<std::int64_t, 10>;
   using Position = std::array<Real, 10>;  // what neighbours agree in
   struct KeyHash {
@@ -63,32 +69,44 @@ class SurfaceMating {
     MatingSurface surface;
     Position position;
     const Region& region;
-    const std::vector<std::uint32_t>& bodies;
+    std::span<const std::uint32_t> bodies;
   };
+  using FamilyMember = std::pair<std::size_t, Real>;
   struct Leader {
     MatingSurface surface;
-    Position position{};
-    Region first;  // of its own bodies
+    std::optional<Position> position;  // where it was asked for
+    Region first;                      // of its own bodies
     Region all;
-    std::unordered_set<std::uint32_t> bodies;                           // of all planes that joined
-    std::map<std::size_t, std::pair<std::size_t, Real>> family_member;  // of each group whose quadrics joined
+    std::unordered_set<std::uint32_t> bodies;            // of all planes that joined
+    std::map<std::size_t, FamilyMember> family_members;  // of the other groups whose quadrics joined
+    std::size_t next = no_leader;                        // in the cell
   };
+  struct Cell {
+    std::size_t first = no_leader, last = no_leader;  // leaders
+  };
+  static constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
 
   [[nodiscard]] Position position_of(const RealHalfSpace& shape) const;
+  [[nodiscard]] static CellRange cells_around(HalfSpaceKind kind, std::size_t coordinate, double v);
+  // In doubles where these will do.
+  [[nodiscard]] Cells cells_of(const RealHalfSpace& shape) const;
   [[nodiscard]] static Candidate reversed(Candidate candidate);
-  [[nodiscard]] std::optional<Match> find(const Candidate& candidate) const;
+  [[nodiscard]] std::optional<Match> find(const MatingSurface& surface, const Cells& cells, const Region& region,
+                                          std::span<const std::uint32_t> bodies);
   // Takes the leader if it agrees and comes before the best so far.
-  void offer(const Candidate& candidate, std::size_t leader, bool opposite, std::optional<Match>& best) const;
+  void offer(const Candidate& candidate, std::size_t leader, bool opposite, std::optional<Match>& best);
   // None where the two have to stay two.
-  [[nodiscard]] static std::optional<Real> apart(const Candidate& candidate, const Leader& leader);
+  [[nodiscard]] std::optional<Real> apart(const Candidate& candidate, Leader& leader) const;
   [[nodiscard]] static std::optional<Real> plane_apart(const Candidate& candidate, const Leader& leader);
   [[nodiscard]] static std::optional<Real> quadric_apart(const Candidate& candidate, const Leader& leader);
-  static void enlist(const Candidate& candidate, Leader& leader);
+  [[nodiscard]] static std::optional<FamilyMember> member_of(const Leader& leader, std::size_t place);
+  static void enlist(const MatingSurface& surface, std::span<const std::uint32_t> bodies, Leader& leader);
+  void add_to_cell(const Cells& cells, std::size_t leader);
 
   Vector3 middle_;
   Real page_size_;
   std::vector<Leader> leaders_;
-  std::unordered_map<Key, std::vector<std::size_t>, KeyHash> cells_;
+  std::unordered_map<Key, Cell, KeyHash> cells_;
 };
 
 }  // namespace halfspace

@@ -3,7 +3,9 @@
 // So only inverses are kept, as in the paper.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -17,10 +19,12 @@ using Vector4 = std::array<Real, 4>;
 using Matrix4 = std::array<Vector4, 4>;
 
 // Most entries of a placement are 0 or 1, and a product in software is not free.
-inline void add_product(Real& sum, Real a, Real b) {
-  if (is_zero(a) || is_zero(b)) return;
-  const Real product = a == Real(1) ? b : a * b;
+inline void add_nonzero_product(Real& sum, Real a, Real b) {
+  const Real product = a.is_one() ? b : b.is_one() ? a : a * b;
   sum = is_zero(sum) ? product : sum + product;
+}
+inline void add_product(Real& sum, Real a, Real b) {
+  if (!is_zero(a) && !is_zero(b)) add_nonzero_product(sum, a, b);
 }
 
 inline Real dot(const Vector3& a, const Vector3& b) {
@@ -33,7 +37,7 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
 }
 inline Vector3 scaled(const Vector3& v, Real s) { return {v[0] * s, v[1] * s, v[2] * s}; }
 inline Vector3 sum(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Vector3 difference(const Vector3& a, const Vector3& b) { return sum(a, scaled(b, -1)); }
+inline Vector3 difference(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Real length(const Vector3& v) { return square_root(dot(v, v)); }
 inline Real largest(const Vector3& v) { return larger(magnitude(v[0]), larger(magnitude(v[1]), magnitude(v[2]))); }
 // Scaled by its largest coordinate first, so that neither 1e308 nor 1e-308 leaves the range.
@@ -52,6 +56,19 @@ inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
       for (std::size_t j = 0; j < 4; ++j) add_product(result[i][j], a[i][k], b[k][j]);
     }
   }
+  return result;
+}
+
+// The product of the matrix that shifts by `shift` with m.
+inline Matrix4 shifted(const Vector3& shift, const Matrix4& m) {
+  Matrix4 result = m;
+  Vector4& last = result[3];
+  last = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_zero(shift[k])) continue;
+    for (std::size_t j = 0; j < 4; ++j) add_product(last[j], shift[k], m[k][j]);
+  }
+  for (std::size_t j = 0; j < 4; ++j) add_product(last[j], 1, m[3][j]);
   return result;
 }
 
@@ -91,17 +108,31 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
     }
     return result;
   }
-  Matrix4 half{};  // T^-1 Q
+  // Most entries are 0: bits k tell which of a row are not.
+  std::array<unsigned, 4> in_inverse{};
+  std::array<unsigned, 4> in_quadric{};
+  unsigned coefficients = 0;
+  for (std::size_t i = 0; i < 10; ++i) coefficients |= (is_zero(h.c[i]) ? 0U : 1U) << i;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      if (is_zero(inverse[i][k])) continue;
-      for (std::size_t j = 0; j < 4; ++j) add_product(half[i][j], inverse[i][k], h.c[quadric_index[k][j]]);
+      in_inverse[i] |= (is_zero(inverse[i][k]) ? 0U : 1U) << k;
+      in_quadric[i] |= (coefficients >> quadric_index[i][k] & 1U) << k;
     }
   }
+  const auto for_each = [](unsigned set, const auto& act) {
+    for (; set != 0; set &= set - 1) act(static_cast<std::size_t>(std::countr_zero(set)));
+  };
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (is_zero(half[i][k])) continue;
-      for (std::size_t j = i; j < 4; ++j) add_product(result.c[quadric_index[i][j]], half[i][k], inverse[j][k]);
+    Vector4 half{};  // a row of T^-1 Q
+    unsigned in_half = 0;
+    for_each(in_inverse[i], [&](std::size_t k) {
+      in_half |= in_quadric[k];
+      for_each(in_quadric[k],
+               [&](std::size_t j) { add_nonzero_product(half[j], inverse[i][k], h.c[quadric_index[k][j]]); });
+    });
+    for (std::size_t j = i; j < 4; ++j) {
+      Real& sum = result.c[quadric_index[i][j]];
+      for_each(in_half & in_inverse[j], [&](std::size_t k) { add_product(sum, half[k], inverse[j][k]); });
     }
   }
   return result;
@@ -109,14 +140,17 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
 
 // The same half-space, its coefficients divided by the largest of them. All zero stays so.
 inline RealHalfSpace normalised(RealHalfSpace h) {
-  Real most = 0;
-  for (const Real v : h.c) most = larger(most, magnitude(v));
-  if (most == 0 || !finite(most)) return h;
+  Bits128 size = 0;
+  for (const Real v : h.c) size = std::max(size, v.size_bits());
+  const Real most = Real::of_bits(size);
+  if (is_zero(most) || !finite(most)) return h;
   Real former = most;
   Real quotient = 1;
   for (Real& v : h.c) {
     if (is_zero(v)) continue;
-    if (v != former) quotient = v / most;  // a sphere has three coefficients of one size
+    if (v.bits() != former.bits()) {  // a sphere has three coefficients of one size
+      quotient = v.size_bits() == size ? Real(v.has_sign() ? -1 : 1) : v / most;
+    }
     former = std::exchange(v, quotient);
   }
   return h;

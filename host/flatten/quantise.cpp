@@ -132,25 +132,25 @@ class RoundedSphere {
 
   [[nodiscard]] bool holds(int bits) const {
     if (const auto certain = holds_in_doubles(std::ldexp(1, bits))) return *certain;
-    const Real scale = power_of_two(bits);
-    const Real r2 = squared_radius(scale);
-    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(scale) <= target_;
+    const Real r2 = squared_radius(bits);
+    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(bits) <= target_;
   }
 
-  [[nodiscard]] Real bound(Real scale) const {
-    Real bound = length(off_by(scale));
-    if (square_ > 0) bound += magnitude(square_root(squared_radius(scale)) / scale - square_root(square_));
+  [[nodiscard]] Real bound(int bits) const {
+    Real bound = length(off_by(bits));
+    if (square_ > 0) {
+      bound += magnitude(times_power_of_two(square_root(squared_radius(bits)), -bits) - square_root(square_));
+    }
     return bound;
   }
 
   [[nodiscard]] IntegerForm form(int bits) const {
     IntegerForm result{HalfSpaceKind::quadric, {}};
     const auto shift = static_cast<mp_bitcnt_t>(bits);
-    const Real scale = power_of_two(bits);
     mpz_class& constant = result.c[9];
-    constant = round_to_integer(-square_ * scale * scale);
+    constant = round_to_integer(-times_power_of_two(square_, 2 * bits));
     for (std::size_t i = 0; i < 3; ++i) {
-      const mpz_class m = round_to_integer(-centre_[i] * scale);
+      const mpz_class m = round_to_integer(-times_power_of_two(centre_[i], bits));
       mpz_setbit(result.c[i].get_mpz_t(), 2 * shift);
       mpz_mul_2exp(result.c[6 + i].get_mpz_t(), m.get_mpz_t(), shift);
       mpz_addmul(constant.get_mpz_t(), m.get_mpz_t(), m.get_mpz_t());
@@ -176,10 +176,13 @@ class RoundedSphere {
     return std::nullopt;
   }
 
-  [[nodiscard]] Real squared_radius(Real scale) const { return nearest_whole(square_ * scale * scale); }
-  [[nodiscard]] Vector3 off_by(Real scale) const {
+  [[nodiscard]] Real squared_radius(int bits) const { return nearest_whole(times_power_of_two(square_, 2 * bits)); }
+  [[nodiscard]] Vector3 off_by(int bits) const {
     Vector3 off{};
-    for (std::size_t i = 0; i < 3; ++i) off[i] = nearest_whole(centre_[i] * scale) / scale - centre_[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real whole = nearest_whole(times_power_of_two(centre_[i], bits));
+      off[i] = times_power_of_two(whole, -bits) - centre_[i];
+    }
     return off;
   }
 
@@ -199,8 +202,11 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
   const auto bits = with_least_bits(
       0, scale_limit, [&](int trial) { return sphere.holds(trial) ? std::optional(trial) : std::nullopt; });
   if (!bits) return std::nullopt;
-  IntegerForm form = sphere.form(*bits);
-  return Quantised{weight < 0 ? negated(std::move(form)) : std::move(form), sphere.bound(power_of_two(*bits))};
+  std::optional<Quantised> result(std::in_place);
+  result->bound = sphere.bound(*bits);
+  result->form = sphere.form(*bits);
+  if (weight < 0) negate(result->form);
+  return result;
 }
 
 // The least of |gradient / 2|^2 on a central quadric sum w l^2 = -constant is |constant| times the least weight of
@@ -279,7 +285,7 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
 bool is_sphere(const ReducedQuadric& reduced) {
   if (reduced.count < 3) return false;
   const auto& [a, b, c] = reduced.squares;
-  const Real near = magnitude(a.weight) * power_of_two(-zero_bits);
+  const Real near = times_power_of_two(magnitude(a.weight), -zero_bits);
   return magnitude(a.weight - b.weight) <= near && magnitude(a.weight - c.weight) <= near;
 }
 
@@ -305,6 +311,12 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   return quantise_squares(h, alone, box, least_bits);
 }
 
+// In the box's frame.
+std::optional<Quantised> quantise_locally(const RealHalfSpace& h, const LocalBox& box, int least_bits) {
+  if (auto exact = take_exactly(h, box)) return exact;
+  return h.kind == HalfSpaceKind::plane ? quantise_plane(h, box) : quantise_quadric(h, box, least_bits);
+}
+
 bool is_zero(const RealHalfSpace& h) {
   for (const Real v : h.c) {
     if (v != 0) return false;
@@ -322,11 +334,9 @@ std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4
   const RealHalfSpace h = normalised(transformed(half_space, *here));
   if (!finite(h)) return std::nullopt;
   if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
-  auto result = take_exactly(h, local);
-  if (!result)
-    result = h.kind == HalfSpaceKind::plane ? quantise_plane(h, local) : quantise_quadric(h, local, least_bits);
+  auto result = quantise_locally(h, local, least_bits);
   if (!result) return std::nullopt;
-  result->form = primitive(std::move(result->form));
+  make_primitive(result->form);
   result->form.origin = round_to_integers(local.centre);
   return result;
 }

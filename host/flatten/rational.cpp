@@ -11,6 +11,12 @@ constexpr int closeness_bits = 84;
 
 bool is_whole(Real v, Real tolerance) { return magnitude(v - nearest_whole(v)) <= tolerance; }
 
+// v times; from its product a compiler would make another division.
+Bits128 multiple(Bits128 v, std::uint64_t times) {
+  const std::uint64_t high = static_cast<std::uint64_t>(v >> 64) * times;
+  return (Bits128{high} << 64) + Bits128{static_cast<std::uint64_t>(v)} * times;
+}
+
 // The least convergent denominator d, up to `limit` <= 2^32, that takes d v to within d * tolerance of an integer; 0 if none. Fractions of v
 // count to 2^-120, what Euclid leaves of them is by how much d v misses an integer.
 Real denominator_of(Real v, Real limit, Real tolerance) {
@@ -23,10 +29,17 @@ Real denominator_of(Real v, Real limit, Real tolerance) {
   std::uint64_t current = 1;
   while (current <= most) {
     if (rest <= current * tolerated) return Real(current);
-    const Bits128 quotient = whole / rest;
+    std::uint64_t quotient = 0;
+    for (; whole >= rest && quotient < 8; ++quotient) whole -= rest;  // there are seldom more
+    if (whole >= rest) {
+      const Bits128 more = whole / rest;
+      if (more > most) return 0;
+      quotient += static_cast<std::uint64_t>(more);
+      whole -= multiple(rest, static_cast<std::uint64_t>(more));
+    }
     if (quotient > most) return 0;
-    whole = std::exchange(rest, whole - quotient * rest);
-    before = std::exchange(current, static_cast<std::uint64_t>(quotient) * current + before);
+    std::swap(whole, rest);
+    before = std::exchange(current, quotient * current + before);
   }
   return 0;
 }

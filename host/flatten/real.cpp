@@ -17,6 +17,7 @@ namespace {
 constexpr int exponent_bias = 16383;
 constexpr int fraction_bits = 112;
 constexpr Bits128 hidden_bit = Bits128{1} << fraction_bits;
+constexpr std::uint64_t sign_bit = std::uint64_t{1} << 63;
 
 struct Parts {
   Bits128 mantissa = 0;  // below 2^113
@@ -133,7 +134,24 @@ Real rounded(Words top, bool more, int biased, bool negative) {
   return Real::of_words({low, high | (negative ? std::uint64_t{1} << 63 : 0)});
 }
 
-// What is 0, infinite, nan or beyond the normal range.
+// +-(whole + rest / 2^64) 2^(biased exponent of bit 112, which is its leading bit, less 112), to the nearest, ties to even; the last bit of `rest`
+// also stands for what is beyond it.
+Real to_nearest(Words whole, std::uint64_t rest, int biased, std::uint64_t sign) {
+  const std::uint64_t up = rest > sign_bit - (whole.low & 1U) ? 1 : 0;
+  const std::uint64_t low = whole.low + up;
+  const std::uint64_t carry = low < up ? 1 : 0;  // a carry out of the mantissa raises the exponent and leaves 0
+  // With the hidden bit, which raises the exponent by 1.
+  return Real::of_words({low, (whole.high + carry + (static_cast<std::uint64_t>(biased - 1) << 48)) | sign});
+}
+
+// Both between 2^-8191 and 2^8192 in size: the exponent's first two bits differ. Sums are normal then, or 0.
+bool are_mild(Real a, Real b) {
+  const std::uint64_t u = a.words().high;
+  const std::uint64_t v = b.words().high;
+  return ((u ^ u << 1) & (v ^ v << 1) & (std::uint64_t{1} << 62)) != 0;
+}
+
+// What is 0, infinite, nan, very small or very large.
 [[gnu::noinline]] Real special_product(Real a, Real b) {
   if ((is_zero(a) && finite(b)) || (is_zero(b) && finite(a))) return zero(a.has_sign() != b.has_sign());
   return Real::of(a.native() * b.native());
@@ -141,12 +159,12 @@ Real rounded(Words top, bool more, int biased, bool negative) {
 
 // Of numbers that are special, or so far apart that the smaller one only tells where the larger is rounded to.
 [[gnu::noinline]] Real distant_sum(Real larger, Real smaller) {
-  if (is_zero(smaller) && !is_zero(larger)) return larger;
+  if (is_zero(smaller)) return is_zero(larger) ? Real::of_bits(larger.bits() & smaller.bits()) : larger;
   return Real::of(larger.native() + smaller.native());
 }
 
 // Up to 34 digits and 10^48 are whole numbers that 113 bits hold, the powers as 5^n 2^n: one product or quotient of them is rounded once.
-constexpr int most_digits = 34, most_power = 48;
+constexpr std::size_t most_digits = 34, most_power = 48;
 
 Real power_of_ten(int n) {
   Bits128 five = 1;
@@ -158,26 +176,28 @@ Real power_of_ten(int n) {
 std::optional<Real> short_decimal(const std::string& text) {
   static const auto powers = [] {
     std::array<Real, most_power + 1> all;
-    for (int n = 0; n <= most_power; ++n) all[static_cast<std::size_t>(n)] = power_of_ten(n);
+    for (std::size_t n = 0; n <= most_power; ++n) all[n] = power_of_ten(static_cast<int>(n));
     return all;
   }();
   Bits128 digits = 0;
-  int count = 0;
-  int power = 0;
-  bool fraction = false;
+  std::size_t count = 0;  // of the digits, from the first that is not 0
+  std::size_t power = 0;
+  std::size_t step = 0;  // 1 from the point on
   for (const char c : text) {
-    if (c == '.') {
-      fraction = true;
-    } else if (c >= '0' && c <= '9') {
-      digits = digits * 10 + static_cast<unsigned>(c - '0');
-      if (digits != 0) ++count;
-      if (fraction) --power;
-      if (count > most_digits || -power > most_power) return std::nullopt;
+    const unsigned digit = static_cast<unsigned char>(c) - unsigned{'0'};
+    if (digit <= 9) {
+      digits = digits * 10 + digit;
+      count += digits != 0 ? 1 : 0;
+      power += step;
+      if (count > most_digits || power > most_power) return std::nullopt;
+    } else if (c == '.') {
+      step = 1;
     } else if (c != '-') {
       return std::nullopt;
     }
   }
-  return composed(digits, 0, text.front() == '-' && digits != 0) / powers[static_cast<std::size_t>(-power)];
+  const Real whole = composed(digits, 0, text.front() == '-' && digits != 0);
+  return power == 0 ? whole : whole / powers[power];
 }
 
 // A number for the compiler to divide by; by std::bit_cast clang's analyzer (14) does not survive a quotient.
@@ -221,48 +241,62 @@ Bits128 whole_root(Bits128 v) {
 
 }  // namespace
 
+// Mantissas of 113 and 128 bits: the product's upper two words are the result's, or half of it.
 Real operator*(Real a, Real b) {
-  const int exponent = a.exponent_bits() + b.exponent_bits() - exponent_bias;
-  if (is_special(a) || is_special(b) || exponent < 1 || exponent > 0x7ffc) return special_product(a, b);
-  const Words u = aligned_mantissa(a);
+  const int exponent = a.exponent_bits() + b.exponent_bits() - exponent_bias;  // 1 or more if both are mild
+  if (!are_mild(a, b) || exponent > 0x7ffd) return special_product(a, b);
+  const Bits128 mantissa = mantissa_of(a);
+  const Words u = words_of(mantissa);
   const Words v = aligned_mantissa(b);
-  // The product is 2^254 at least; `left` is below 2^128, as (2^64 - 1)^2 + 2^64 - 1 is, and so is `right`.
+  // No sum is 2^128, as (2^64 - 1)^2 + 2 (2^64 - 1) is less.
   const Bits128 low = Bits128{u.low} * v.low;
   const Bits128 left = Bits128{u.high} * v.low + (low >> 64);
   const Bits128 right = Bits128{u.low} * v.high + static_cast<std::uint64_t>(left);
   const Words top = words_of(Bits128{u.high} * v.high + (left >> 64) + (right >> 64));
   const auto next = static_cast<std::uint64_t>(right);
   // Where its first bit is 0, once more: by a shift rather than by a branch that nobody can predict.
-  const auto up = static_cast<int>(~top.high >> 63);
-  const Words aligned{top.low << up | (next >> 63 & static_cast<unsigned>(up)),
-                      top.high << up | (top.low >> 63 & static_cast<unsigned>(up))};
-  const bool more = (static_cast<std::uint64_t>(low) | next << up) != 0;
-  return rounded(aligned, more, exponent + 1 - up, a.has_sign() != b.has_sign());
+  const auto up = static_cast<int>(~top.high >> 48 & 1U);
+  const Words whole{top.low << up | (next >> 63 & static_cast<unsigned>(up)),
+                    top.high << up | (top.low >> 63 & static_cast<unsigned>(up))};
+  const std::uint64_t rest = next << up | (static_cast<std::uint64_t>(low) != 0 ? 1U : 0U);
+  return to_nearest(whole, rest, exponent + 1 - up, (a.words().high ^ b.words().high) & sign_bit);
 }
 
-// With 14 bits more and what is beyond them in the last: enough, as only terms of equal or neighbouring exponents cancel more than one
-// bit, and they lose none.
+// With 64 bits more, of which the last tells whether there is anything beyond: enough, as only terms of equal or neighbouring exponents,
+// which have one bit there at most, cancel more than one.
 Real operator+(Real a, Real b) {
-  // Without branches that nobody can predict.
-  const auto [a_low, a_high] = a.words();
-  const auto [b_low, b_high] = b.words();
-  const std::uint64_t change = a.size_bits() < b.size_bits() ? ~std::uint64_t{0} : 0;
-  const std::uint64_t low_change = (a_low ^ b_low) & change;
-  const std::uint64_t high_change = (a_high ^ b_high) & change;
-  const Real larger = Real::of_words({a_low ^ low_change, a_high ^ high_change});
-  const Real smaller = Real::of_words({b_low ^ low_change, b_high ^ high_change});
-  const int exponent = larger.exponent_bits();
-  const int apart = exponent - smaller.exponent_bits();
-  if (is_special(smaller) || exponent < 128 || exponent > 0x7ffd || apart > 126) return distant_sum(larger, smaller);
-  const Bits128 whole = mantissa_of(smaller) << 14;
-  const Bits128 cut = whole >> apart;
-  const Bits128 lost = whole & ((Bits128{1} << apart) - 1);
-  const Bits128 term = cut | (lost != 0 ? 1 : 0);
-  const Bits128 turned = Bits128{0} - ((a_high ^ b_high) >> 63);
-  const Bits128 sum = (mantissa_of(larger) << 14) + ((term ^ turned) - turned);
-  if (sum == 0) return 0;
-  const int up = 128 - bit_width(sum);
-  return rounded(words_of(sum << up), false, exponent + 1 - up, larger.has_sign());
+  if (a.size_bits() < b.size_bits()) std::swap(a, b);
+  const int apart = a.exponent_bits() - b.exponent_bits();
+  if (!are_mild(a, b) || apart > 126) return distant_sum(a, b);
+  const Words larger = words_of(mantissa_of(a));
+  Words term = words_of(mantissa_of(b));  // at the larger one's places
+  std::uint64_t rest = 0;
+  if (apart >= 64) {
+    const Bits128 beyond = mantissa_of(b) << (128 - apart);
+    rest = words_of(beyond).high | (words_of(beyond).low != 0 ? 1U : 0U);
+    term = {term.high >> (apart - 64), 0};
+  } else if (apart > 0) {
+    rest = term.low << (64 - apart);
+    term = {term.low >> apart | term.high << (64 - apart), term.high >> apart};
+  }
+  const std::uint64_t sign = a.words().high & sign_bit;
+  const int exponent = a.exponent_bits();
+  if (a.has_sign() == b.has_sign()) {
+    const std::uint64_t low = larger.low + term.low;
+    const std::uint64_t high = larger.high + term.high + (low < term.low ? 1 : 0);
+    if (high >> 49 == 0) return to_nearest({low, high}, rest, exponent, sign);
+    return to_nearest({low >> 1 | high << 63, high >> 1}, rest >> 1 | low << 63 | (rest & 1U), exponent + 1, sign);
+  }
+  const std::uint64_t borrow = rest != 0 ? 1 : 0;
+  const std::uint64_t left = larger.low - term.low;
+  const std::uint64_t low = left - borrow;
+  const std::uint64_t high = larger.high - term.high - (larger.low < term.low ? 1 : 0) - (left < borrow ? 1 : 0);
+  rest = 0 - rest;
+  if (high >> 48 != 0) return to_nearest({low, high}, rest, exponent, sign);
+  const Bits128 whole = Bits128{high} << 65 | Bits128{low} << 1 | rest >> 63;
+  if (whole == 0) return 0;
+  const int up = fraction_bits + 1 - bit_width(whole);
+  return to_nearest(words_of(whole << up), rest << 1, exponent - 1 - up, sign);
 }
 
 // The quotient's mantissa in two digits of 64 bits; both mantissas lose their last place to that, so that the first one is below the second.

@@ -50,7 +50,13 @@ class Real {
 
   template <class Number>
   requires std::is_arithmetic_v<Number>
-  constexpr explicit operator Number() const { return static_cast<Number>(native()); }
+  constexpr explicit operator Number() const {
+    if constexpr (std::is_same_v<Number, double>) {
+      return nearest_double();
+    } else {
+      return static_cast<Number>(native());
+    }
+  }
   [[nodiscard]] constexpr NativeReal native() const { return std::bit_cast<NativeReal>(words_); }
 
   // 112 bits of fraction below 15 of exponent and the sign.
@@ -59,6 +65,7 @@ class Real {
   [[nodiscard]] constexpr Bits128 size_bits() const { return Bits128{words_.high & ~sign_bit} << 64 | words_.low; }
   [[nodiscard]] constexpr bool has_sign() const { return words_.high >> 63 != 0; }
   [[nodiscard]] constexpr bool is_zero() const { return ((words_.high & ~sign_bit) | words_.low) == 0; }
+  [[nodiscard]] constexpr bool is_one() const { return words_.low == 0 && words_.high == std::uint64_t{0x3fff} << 48; }
   [[nodiscard]] constexpr int exponent_bits() const { return static_cast<int>(words_.high >> 48) & 0x7fff; }
   [[nodiscard]] constexpr bool is_nan() const {
     return exponent_bits() == 0x7fff && (words_.high << 16 | words_.low) != 0;
@@ -83,6 +90,17 @@ class Real {
   friend bool operator>=(Real a, Real b) { return b <= a; }
 
  private:
+  // Ties to even.
+  [[nodiscard]] constexpr double nearest_double() const {
+    constexpr int bias_apart = 16383 - 1023;
+    constexpr std::uint64_t half = std::uint64_t{1} << 63;
+    const int exponent = exponent_bits() - bias_apart;
+    if (exponent < 1 || exponent > 2046) return static_cast<double>(native());
+    const std::uint64_t fraction = (words_.high << 16 >> 12) | words_.low >> 60;
+    const std::uint64_t up = words_.low << 4 > half - (fraction & 1U) ? 1 : 0;
+    return std::bit_cast<double>((static_cast<std::uint64_t>(exponent) << 52 | fraction) + up + (words_.high & half));
+  }
+
   __extension__ using Signed128 = __int128;
   // In the order of the values; 0 for both zeros.
   [[nodiscard]] Signed128 rank() const {
@@ -104,7 +122,15 @@ inline Real smaller(Real a, Real b) { return b < a ? b : a; }
 inline bool finite(Real v) { return v.exponent_bits() != 0x7fff; }
 
 [[nodiscard]] Real power_of_two(int exponent);  // -16382 <= exponent <= 16383
-[[nodiscard]] Real square_root(Real v);         // v >= 0 and finite
+// v 2^exponent, for which the same holds.
+[[nodiscard]] inline Real times_power_of_two(Real v, int exponent) {
+  const int biased = v.exponent_bits();
+  const int moved = biased + exponent;
+  if (biased < 1 || biased > 0x7ffe || moved < 1 || moved > 0x7ffe) return v * power_of_two(exponent);
+  const auto [low, high] = v.words();
+  return Real::of_words({low, high + (static_cast<std::uint64_t>(exponent) << 48)});
+}
+[[nodiscard]] Real square_root(Real v);  // v >= 0 and finite
 [[nodiscard]] Real decimal_to_real(const std::string& text);
 [[nodiscard]] Real to_real(const mpz_class& v);
 [[nodiscard]] mpz_class round_to_integer(Real v);    // finite; ties away from zero

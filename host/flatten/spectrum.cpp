@@ -30,7 +30,7 @@ void rotate(Matrix3& a, std::array<Vector3, 3>& vectors, std::size_t p, std::siz
   }
 }
 
-bool agree(Real a, Real b) { return magnitude(a - b) <= power_of_two(-zero_bits) * magnitude(a); }
+bool agree(Real a, Real b) { return magnitude(a - b) <= times_power_of_two(magnitude(a), -zero_bits); }
 
 // Two equal values leave their vectors free: one of them takes a coordinate of 0, so that what lies along an axis of
 // the page is rounded to integers that do. Three equal ones take the axes.
@@ -61,7 +61,7 @@ Spectrum spectrum_of(const RealHalfSpace& quadric) {
   }
   Spectrum result;
   result.vectors = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const Real negligible = power_of_two(-125) * larger(largest(a[0]), larger(largest(a[1]), largest(a[2])));
+  const Real negligible = times_power_of_two(larger(largest(a[0]), larger(largest(a[1]), largest(a[2]))), -125);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (magnitude(a[0][1]) + magnitude(a[0][2]) + magnitude(a[1][2]) <= negligible) break;
     rotate(a, result.vectors, 0, 1);
@@ -77,8 +77,9 @@ ReducedQuadric reduce(const RealHalfSpace& quadric, Real radius) {
   const Spectrum spectrum = spectrum_of(quadric);
   const Vector3 gradient{quadric.c[6], quadric.c[7], quadric.c[8]};  // half of it, at the origin
   Real constant = quadric.c[9];
-  Real scale = larger(magnitude(constant), 2 * largest(gradient) * radius);
-  scale = larger(scale, largest(spectrum.values) * radius * radius);
+  const Real square = radius * radius;
+  Real scale = larger(magnitude(constant), times_power_of_two(largest(gradient) * radius, 1));
+  scale = larger(scale, largest(spectrum.values) * square);
 
   ReducedQuadric result;
   Vector3 normal{};
@@ -86,19 +87,21 @@ ReducedQuadric reduce(const RealHalfSpace& quadric, Real radius) {
     const Vector3& axis = spectrum.vectors[i];
     const Real along = dot(axis, gradient);
     const Real weight = spectrum.values[i];
-    if (magnitude(weight) * radius * radius <= power_of_two(-zero_bits) * scale) {
+    if (magnitude(weight) * square <= times_power_of_two(scale, -zero_bits)) {
       normal = sum(normal, scaled(axis, 2 * along));
       continue;
     }
     const Real offset = along / weight;
     result.squares[result.count++] = {weight, {axis[0], axis[1], axis[2], offset}};
-    constant -= along * offset;
-    scale = larger(scale, magnitude(along * offset));
+    const Real part = along * offset;
+    constant -= part;
+    scale = larger(scale, magnitude(part));
   }
-  result.linear = largest(normal) * radius > power_of_two(-zero_bits) * scale;
+  const Real zero = times_power_of_two(scale, -zero_bits);
+  result.linear = largest(normal) * radius > zero;
   if (result.linear) {
     result.rest = {normal[0], normal[1], normal[2], constant};
-  } else if (magnitude(constant) > power_of_two(-zero_bits) * scale) {
+  } else if (magnitude(constant) > zero) {
     result.rest[3] = constant;
   }
   return result;

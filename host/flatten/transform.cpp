@@ -13,7 +13,7 @@ void add_multiple(Matrix4& m, std::size_t row, std::size_t of, Real factor) {
 
 void multiply(Vector4& row, Real factor) {
   for (Real& v : row) {
-    if (!is_zero(v)) v *= factor;
+    if (!is_zero(v)) v = v.is_one() ? factor : v * factor;
   }
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <queue>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "firmware/core/memory_source.hpp"
+#include "host/algebra/truncated.hpp"
 #include "host/job/job_bytes.hpp"
 #include "host/job/limits.hpp"
 #include "host/job/plane_level.hpp"
@@ -25,22 +27,38 @@ struct Lifetime {
   std::uint32_t slot = 0;
 };
 
+// The items in the order of their scan lines, those of one line as they are.
+template <class Item, class LineOf>
+std::vector<Item> in_order_of_lines(const std::vector<Item>& items, LineOf line_of) {
+  if (items.empty()) return {};
+  const auto [first, last] = std::minmax_element(items.begin(), items.end(),
+                                                 [&](const Item& a, const Item& b) { return line_of(a) < line_of(b); });
+  const std::int32_t y0 = line_of(*first);
+  std::vector<std::uint32_t> next(static_cast<std::size_t>(line_of(*last) - y0) + 2);  // where a line's items go
+  for (const Item& item : items) ++next[static_cast<std::size_t>(line_of(item) - y0) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Item> sorted(items.size());
+  for (const Item& item : items) sorted[next[static_cast<std::size_t>(line_of(item) - y0)]++] = item;
+  return sorted;
+}
+
 // Assigns slots in order of entry, the lowest free one first; returns how many are needed.
 std::int32_t assign_slots(std::vector<Lifetime>& lives) {
-  std::stable_sort(lives.begin(), lives.end(), [](const Lifetime& a, const Lifetime& b) { return a.y0 < b.y0; });
-  using End = std::pair<std::int32_t, std::uint32_t>;  // a last line and its slot
-  std::priority_queue<End, std::vector<End>, std::greater<>> ends;
+  lives = in_order_of_lines(lives, [](const Lifetime& life) { return life.y0; });
+  std::vector<std::size_t> ends(lives.size());  // in order of the last lines
+  std::iota(ends.begin(), ends.end(), std::size_t{0});
+  ends = in_order_of_lines(ends, [&lives](std::size_t i) { return lives[i].y1; });
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
   std::uint32_t count = 0;
+  std::size_t ended = 0;  // all of them have a slot, as what ends before a line has entered before it
   for (Lifetime& life : lives) {
-    for (; !ends.empty() && ends.top().first < life.y0; ends.pop()) free.push(ends.top().second);
+    for (; lives[ends[ended]].y1 < life.y0; ++ended) free.push(lives[ends[ended]].slot);
     if (free.empty()) {
       life.slot = count++;
     } else {
       life.slot = free.top();
       free.pop();
     }
-    ends.emplace(life.y1, life.slot);
   }
   return static_cast<std::int32_t>(count);
 }
@@ -211,17 +229,20 @@ void JobWriter::collect() {
     arc_slot_[l.item] = l.slot;
     events_.push_back({l.y0, Kind::arc, l.item, l.slot});
     needs.arc_bytes = std::max(needs.arc_bytes, all_modules.arcs[static_cast<std::size_t>(kinds_[l.item])]->bytes);
+  }
+  for (const Lifetime& l : arcs) {
     const std::vector<Window>& windows = resolved_.arcs[l.item].guide.windows;
     for (std::uint32_t i = 1; i < windows.size(); ++i) {  // the first is in the arc's record
       events_.push_back({windows[i].y0, Kind::window, l.item, l.slot, i});
     }
   }
   for (const Lifetime& l : cells) {
-    const bool span = l.item >= cell_count;
-    events_.push_back({l.y0, span ? Kind::span : Kind::cell, span ? l.item - cell_count : l.item, l.slot});
+    if (l.item < cell_count) events_.push_back({l.y0, Kind::cell, l.item, l.slot});
   }
-  std::stable_sort(events_.begin(), events_.end(),
-                   [](const Event& a, const Event& b) { return a.y != b.y ? a.y < b.y : a.kind < b.kind; });
+  for (const Lifetime& l : cells) {
+    if (l.item >= cell_count) events_.push_back({l.y0, Kind::span, l.item - cell_count, l.slot});
+  }
+  events_ = in_order_of_lines(events_, [](const Event& event) { return event.y; });  // on one line in that of the kinds
 }
 
 void JobWriter::make_header() {
@@ -312,7 +333,7 @@ void JobWriter::write_face(std::uint32_t index) {
 double root_near(const Curve& curve, Branch branch, std::int64_t line) {
   const auto y = static_cast<double>(line);
   std::array<double, 6> q;
-  std::transform(curve.q.begin(), curve.q.end(), q.begin(), [](const mpz_class& c) { return c.get_d(); });
+  std::transform(curve.q.begin(), curve.q.end(), q.begin(), [](const mpz_class& c) { return truncated(c); });
   const double b = q[1] * y + q[3];
   const double c = (q[2] * y + q[4]) * y + q[5];
   if (branch == Branch::single) return b == 0 ? 0 : -c / b;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "host/algebra/truncated.hpp"
 #include "host/flatten/matrix.hpp"
 #include "host/job/job_bytes.hpp"
 
@@ -59,7 +60,7 @@ struct Exact {
 // Magnitudes in doubles, and bits for 2^-40 more: no term is negative, and fewer than a hundred roundings make one number.
 struct Above {
   using Number = double;
-  static Number magnitude(const mpz_class& v) { return std::abs(v.get_d()); }
+  static Number magnitude(const mpz_class& v) { return std::abs(truncated(v)); }
   static int bits(Number v) {
     if (v == 0) return 0;
     return std::isfinite(v) ? std::ilogb(v * (1 + 0x1p-40)) + 1 : 1 << 20;

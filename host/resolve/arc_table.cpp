@@ -1,6 +1,8 @@
 #include "host/resolve/arc_table.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "host/resolve/curve_algebra.hpp"
 
@@ -22,38 +24,39 @@ std::uint32_t ArcTable::add_guide(const FormOnSheet& form) {
 }
 
 void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
-  if (name.curve != no_arc) runs_[name].push_back({y0, y1, no_arc});
+  if (name.curve != no_arc) runs_.push_back({name, y0, y1, no_arc});
 }
 
 void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs) {
+  std::sort(runs_.begin(), runs_.end(),
+            [](const Run& a, const Run& b) { return std::tie(a.name, a.y0) < std::tie(b.name, b.y0); });
   std::map<std::uint32_t, ArcGuide> guides;
-  for (auto& [name, runs] : runs_) {
-    std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.y0 < b.y0; });
-    std::vector<Run> joined;
-    for (const Run& run : runs) {
-      if (!joined.empty() && run.y0 <= joined.back().y1 + 1) {
-        joined.back().y1 = std::max(joined.back().y1, run.y1);
-      } else {
-        joined.push_back(run);
-      }
+  std::vector<Run> uses = std::exchange(runs_, {});
+  runs_.reserve(uses.size());
+  for (std::size_t i = 0; i < uses.size();) {
+    Run joined = uses[i];
+    for (++i; i < uses.size() && uses[i].name == joined.name && uses[i].y0 <= joined.y1 + 1; ++i) {
+      joined.y1 = std::max(joined.y1, uses[i].y1);
     }
-    runs.clear();
-    for (const Run& run : joined) {
-      for (Arc& arc : arcs_of(name, run, guides, extent)) {
-        runs.push_back({arc.y0, arc.y1, static_cast<std::uint32_t>(arcs.size())});
-        arc.body = body;
-        arcs.push_back(std::move(arc));
-      }
+    const std::size_t first = arcs.size();
+    append_arcs(joined, guides, extent, arcs);
+    for (std::size_t k = first; k < arcs.size(); ++k) {
+      arcs[k].body = body;
+      runs_.push_back({joined.name, arcs[k].y0, arcs[k].y1, static_cast<std::uint32_t>(k)});
     }
   }
 }
 
-std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
-                                   const Extent& extent) const {
-  std::vector<Arc> arcs;
+void ArcTable::append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const Extent& extent,
+                           std::vector<Arc>& arcs) const {
+  const ArcName& name = run.name;
   if (!name.guided) {
-    arcs.push_back({0, curve_of(name), name.branch, {}, run.y0, run.y1});
-    return arcs;
+    Arc& arc = arcs.emplace_back();
+    std::get<Curve>(arc.form) = curve_of(name);
+    arc.branch = name.branch;
+    arc.y0 = run.y0;
+    arc.y1 = run.y1;
+    return;
   }
   ArcGuide& guide = guides.try_emplace(name.curve, guided_[name.curve], extent).first->second;
   const auto page_line = [this](std::int64_t y) { return static_cast<std::int32_t>(y + origin_y_); };
@@ -64,13 +67,12 @@ std::vector<Arc> ArcTable::arcs_of(const ArcName& name, const Run& run, std::map
     }
     arcs.push_back({0, guide.form(), Branch::single, std::move(part.guide), page_line(part.y0), page_line(part.y1)});
   }
-  return arcs;
 }
 
 ArcTable::Piece ArcTable::piece(const ArcName& name, std::int32_t y) const {
   if (name.curve == no_arc) return {};
-  const std::vector<Run>& runs = runs_.at(name);
-  const auto run = std::find_if(runs.begin(), runs.end(), [y](const Run& r) { return r.y0 <= y && y <= r.y1; });
+  const auto run = std::partition_point(runs_.begin(), runs_.end(),
+                                        [&](const Run& r) { return std::tie(r.name, r.y1) < std::tie(name, y); });
   return {run->arc, run->y1};
 }
 

@@ -46,17 +46,18 @@ class ArcTable {
 
  private:
   struct Run {
+    ArcName name;
     std::int32_t y0, y1;
     std::uint32_t arc;
   };
   [[nodiscard]] Curve curve_of(const ArcName& name) const;
-  [[nodiscard]] std::vector<Arc> arcs_of(const ArcName& name, const Run& run, std::map<std::uint32_t, ArcGuide>& guides,
-                                         const Extent& extent) const;
+  void append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const Extent& extent,
+                   std::vector<Arc>& arcs) const;
 
   std::int64_t origin_y_;
   std::vector<Curve> curves_;
   std::vector<FormOnSheet> guided_;
-  std::map<ArcName, std::vector<Run>> runs_;
+  std::vector<Run> runs_;  // as they are used; then the arcs' own, by name and line
 };
 
 }  // namespace halfspace

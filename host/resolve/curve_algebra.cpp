@@ -4,11 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "host/algebra/content.hpp"
+
 namespace halfspace {
 namespace {
 
 // A canonical one.
-void append_once(Curve p, std::vector<Curve>& factors) {
+void append_once(Curve&& p, std::vector<Curve>& factors) {
   const auto same = [&p](const Curve& q) { return same_curve(p, q); };
   if (std::none_of(factors.begin(), factors.end(), same)) factors.push_back(std::move(p));
 }
@@ -33,7 +35,7 @@ std::optional<LinearRoot> square_root(const mpz_class& p2, const mpz_class& p1, 
 
 // q0 != 0: reducible exactly when the discriminant in x is the square of a rational polynomial in y; that of an ellipse begins with a
 // negative coefficient.
-void append_factors_of_second_order_in_x(Curve p, std::vector<Curve>& factors) {
+void append_factors_of_second_order_in_x(Curve&& p, std::vector<Curve>& factors) {
   const auto& q = p.q;
   const mpz_class leading = q[1] * q[1] - 4 * q[0] * q[2];
   if (sgn(leading) < 0) return append_once(std::move(p), factors);
@@ -44,7 +46,7 @@ void append_factors_of_second_order_in_x(Curve p, std::vector<Curve>& factors) {
 }
 
 // q0 = 0, q1 != 0: reducible exactly when q1 y + q3 divides the part without x.
-void append_factors_of_mixed(Curve p, std::vector<Curve>& factors) {
+void append_factors_of_mixed(Curve&& p, std::vector<Curve>& factors) {
   const auto& q = p.q;
   if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) {
     return append_once(std::move(p), factors);
@@ -106,25 +108,11 @@ bool is_constant(const Curve& p) {
 
 bool same_curve(const Curve& p, const Curve& q) { return p.q == q.q; }
 
-mpz_class content(const Curve& p) {
-  mpz_class divisor = 0;
-  for (const mpz_class& coefficient : p.q) {
-    if (sgn(coefficient) == 0) continue;
-    divisor = gcd(divisor, coefficient);
-    if (divisor == 1) break;
-  }
-  return divisor;
-}
-
 void make_canonical(Curve& p) {
-  mpz_class divisor = content(p);
-  if (sgn(divisor) == 0) return;
+  divide_by_content(p.q);
   const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
-  if (sgn(*leading) < 0) divisor = -divisor;
-  if (divisor == 1) return;
-  for (mpz_class& coefficient : p.q) {
-    mpz_divexact(coefficient.get_mpz_t(), coefficient.get_mpz_t(), divisor.get_mpz_t());
-  }
+  if (leading == p.q.end() || sgn(*leading) > 0) return;
+  for (mpz_class& coefficient : p.q) mpz_neg(coefficient.get_mpz_t(), coefficient.get_mpz_t());
 }
 
 void append_factors(Curve p, std::vector<Curve>& factors) {

@@ -27,9 +27,6 @@ namespace halfspace {
 [[nodiscard]] bool is_constant(const Curve& p);
 [[nodiscard]] bool same_curve(const Curve& p, const Curve& q);
 
-// The positive greatest common divisor of the coefficients; 0 of the zero polynomial.
-[[nodiscard]] mpz_class content(const Curve& p);
-
 // Divides by the content and makes the first coefficient that is not 0 positive.
 void make_canonical(Curve& p);
 

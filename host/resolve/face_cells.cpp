@@ -116,17 +116,17 @@ std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, co
                                   QuarticTable& table, ArcTable& arcs) {
   std::vector<FaceCells> faces;
   std::vector<SheetPresence> presences;
-  std::vector<bool> hidden;
+  std::array<bool, 2> hidden{};
   for (const Sheet sheet : sheets_in(sheets)) {
     const bool is_exit = sheet == Sheet::back ? exits.back : exits.front;
     if (is_exit && !has_rivals(sheets)) continue;
     faces.push_back({sheet, {}, {}});
     presences.emplace_back(sheets, sheet);
-    hidden.push_back(is_exit);
+    hidden.at(faces.size() - 1) = is_exit;
   }
   if (faces.empty()) return {};
   const FaceCurves face = face_curves(sheets, table, arcs);
-  std::vector<CellBuilder> builders(faces.size());
+  std::array<CellBuilder, 2> builders;
   const std::vector<Mark> marks = critical_marks(face.bounds, presences, extent.y0, extent.y1);
   RowRoots finder(sheets, face.bounds);
   for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {

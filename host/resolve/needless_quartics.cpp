@@ -38,7 +38,7 @@ bool is_implied(const EnclosedSheet& sheet, std::size_t constraint, const Box& p
 }
 
 bool is_needless(const Sheets& sheets, std::size_t constraint, const Box& page) {
-  const std::vector<Sheet> all = sheets_in(sheets);
+  const std::span<const Sheet> all = sheets_in(sheets);
   return std::all_of(all.begin(), all.end(),
                      [&](Sheet sheet) { return is_implied(EnclosedSheet(sheets, sheet), constraint, page); });
 }

@@ -89,6 +89,7 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
 
 ResolvedScene resolve(const IntegerScene& scene, bool all_faces) {
   ResolvedScene result;
+  result.arcs.reserve(2 * scene.bodies.size());  // two for a ball; moving an arc is not free
   for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result);
   return result;
 }

@@ -23,6 +23,7 @@ std::vector<CurveBranch> branches_at(const TracedCurve& traced, std::uint32_t in
 
 std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1) {
   std::vector<ScanRow> rows;
+  rows.reserve(2 * marks.size() + 1);
   std::int64_t next = y0;
   const auto slab_up_to = [&](std::int64_t last) {
     if (next <= last) rows.push_back({next, last, false});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "host/algebra/content.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -40,7 +42,7 @@ bool same_surface(const Surface& s, const Surface& t) {
 }
 
 void divide_by_common_content(Curve& p, Curve& r) {
-  const mpz_class divisor = gcd(content(p), content(r));
+  const mpz_class divisor = gcd(content(p.q), content(r.q));
   if (divisor <= 1) return;
   for (mpz_class& q : p.q) q /= divisor;
   for (mpz_class& q : r.q) q /= divisor;
@@ -179,10 +181,11 @@ Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
   return sheets;
 }
 
-std::vector<Sheet> sheets_in(const Sheets& sheets) {
+std::span<const Sheet> sheets_in(const Sheets& sheets) {
+  static constexpr std::array all{Sheet::only, Sheet::front, Sheet::back};
   if (sheets.shape == SheetShape::none) return {};
-  if (sheets.shape == SheetShape::two_sheets) return {Sheet::front, Sheet::back};
-  return {Sheet::only};
+  const bool is_single = sheets.shape != SheetShape::two_sheets;
+  return std::span(all).subspan(is_single ? 0 : 1, is_single ? 1 : 2);
 }
 
 bool has_zero_constraint(const Sheets& sheets) {

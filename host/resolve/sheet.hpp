@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/flatten/integer_scene.hpp"
@@ -56,7 +57,7 @@ struct Sheets {
 [[nodiscard]] Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space);
 
 // Those that the shape has, front before back.
-[[nodiscard]] std::vector<Sheet> sheets_in(const Sheets& sheets);
+[[nodiscard]] std::span<const Sheet> sheets_in(const Sheets& sheets);
 
 // Is the value of some constraint 0 on a whole part of the surface (a plane, and a pair of planes that contains it)?
 [[nodiscard]] bool has_zero_constraint(const Sheets& sheets);

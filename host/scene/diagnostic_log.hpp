@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "host/scene/diagnostic.hpp"
@@ -20,9 +21,13 @@ class DiagnosticLog {
     add_error({Severity::limit, std::move(position), std::move(message)});
   }
   void warning(SourcePosition position, std::string message) {
-    if (++warnings_ <= most) {
-      kept_.push_back({Severity::warning, std::move(position), std::move(message)});
-    }
+    warning(position, [&] { return std::move(message); });
+  }
+  // Of many the message is not needed.
+  template <class MakeMessage>
+  requires std::is_invocable_v<MakeMessage>
+  void warning(const SourcePosition& position, MakeMessage make_message) {
+    if (++warnings_ <= most) kept_.push_back({Severity::warning, position, make_message()});
   }
 
   [[nodiscard]] int errors() const { return errors_; }

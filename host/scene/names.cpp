@@ -24,7 +24,7 @@ template <typename Statement>
 void name(Statement& statement, NameSpace& names, char prefix, std::string_view made, DiagnosticLog& log) {
   if (!statement.id.empty()) return;
   statement.id = names.invent(prefix);
-  log.warning(statement.position, "id " + statement.id + " created for this " + std::string(made));
+  log.warning(statement.position, [&] { return "id " + statement.id + " created for this " + std::string(made); });
 }
 
 struct PlacementNamer {

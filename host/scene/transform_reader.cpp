@@ -60,6 +60,7 @@ bool read_transform(TokenStream& tokens, DiagnosticLog& log, std::vector<Transfo
     log.error(tokens.position_of(written),
               "scaling by 0 leaves nothing; write a factor other than 0 after " + quote(option));
   }
+  if (transforms.empty()) transforms.reserve(4);
   transforms.push_back(*make_transform(option, std::move(number)));
   return true;
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <mpfr.h>
 
+#include <cmath>
 #include <random>
 
 namespace halfspace {
@@ -90,6 +91,11 @@ TEST(Real, ArithmeticIsTheCompilers) {
     ASSERT_TRUE(is_same(a / b, a.native() / b.native())) << trial;
     const Real power = power_of_two(static_cast<int>(dice() % 32764) - 16382);
     ASSERT_TRUE(is_same(a / power, a.native() / power.native())) << trial;
+    const int shift = static_cast<int>(dice() % 32764) - 16382;
+    ASSERT_TRUE(is_same(times_power_of_two(a, shift), a.native() * power_of_two(shift).native())) << trial;
+    const auto near = static_cast<double>(a);
+    ASSERT_EQ(std::isnan(near), a.is_nan()) << trial;
+    ASSERT_TRUE(a.is_nan() || near == static_cast<double>(a.native())) << trial;
     ASSERT_EQ(a < b, a.native() < b.native()) << trial;
     ASSERT_EQ(a <= b, a.native() <= b.native()) << trial;
     ASSERT_EQ(a == b, a.native() == b.native()) << trial;
