@@ -58,14 +58,13 @@ struct QuotientParts {
   static std::int32_t growth(const Dot& /*a*/, const Dot& /*b*/) { return 1; }
 };
 
-// Tracks pay on blocks of so many lines, where most of them show each boundary, and where s is good enough, without a shear; and a face with
+// Tracks pay on blocks of so many lines, where most of them show each boundary, and where forms are by s; and a face with
 // straight contours has other use for its block.
 constexpr std::int32_t fewest_lines = 32;
 std::span<std::uint32_t> tracked_block(const ShadeJob& job) {
   const FaceContours& face = *job.contours;
   const SectionForms& forms = face.general.forms;
-  if (face.kind != ContourKind::general || face.general.is_quotient || face.general.has_other ||
-      forms.shear.bits != 0) {
+  if (face.kind != ContourKind::general || face.general.is_quotient || face.general.has_other || forms.by_depth) {
     return {};
   }
   const bool pays = forms.y1 - forms.y0 >= fewest_lines && job.painter.edges_of(fewest_lines) >= fewest_lines / 2;
@@ -447,7 +446,7 @@ void trace_line(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32
   SpanTracer<Parts, RunPainter>(job, line, y, x0).run(x0, x1);
 }
 
-// A face with a shear may be seen in several spans of a line, each near a plane of its own. The forms of the span before lie in the face's
+// A face with forms by z may be seen in several spans of a line, not all of which have them. The forms of the span before lie in the face's
 // block, which has no tracks then, if they fit.
 void exchange_forms(FaceContours& face) {
   GeneralContours& general = face.general;
@@ -457,17 +456,17 @@ void exchange_forms(FaceContours& face) {
   if (general.has_other) std::ranges::copy(store, std::as_writable_bytes(std::span(&general.forms, 1)).begin());
   std::ranges::copy(std::as_bytes(std::span(&last, 1)), store.begin());
   general.has_other = true;
-  general.other_is_sheared = last.shear.bits != 0;
+  general.other_is_by_depth = last.by_depth;
 }
 
 void trace_root(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   GeneralContours& general = job.contours->general;
   SectionForms& forms = general.forms;
-  if (!forms.holds(y, x0, x1) && (forms.shear.bits != 0 || general.has_other)) exchange_forms(*job.contours);
+  if (!forms.holds(y, x0, x1) && (forms.by_depth || general.has_other)) exchange_forms(*job.contours);
   if (!forms.holds(y, x0, x1)) {
     forms.cover(job, y, x0, x1);
     general.strip.drop();
-    general.has_other = general.has_other && (forms.shear.bits != 0 || general.other_is_sheared);
+    general.has_other = general.has_other && (forms.by_depth || general.other_is_by_depth);
   }
   if (!is_dark(job, y)) return trace_line<RootParts>(job, y, x0, x1);
   job.painter.fill(x0, x1, job.table.ambient_level);

@@ -27,8 +27,8 @@ struct GeneralContours {
     QuotientForms quotient;
   };
   bool is_quotient = false;  // z: then the latter
-  // The forms of another of its spans are in the face's block; they have a shear.
-  bool has_other = false, other_is_sheared = false;
+  // The forms of another of its spans are in the face's block; those or these are by z.
+  bool has_other = false, other_is_by_depth = false;
   LevelBars bars;
   TrackStrip strip;
   std::int32_t ridge = 0;  // of the last line, on the page: where the next one's is sought

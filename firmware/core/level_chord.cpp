@@ -45,8 +45,8 @@ std::int32_t wide_error_of_root(std::int32_t square_error, std::int32_t n) {
 }
 
 LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_error) : t(at) {
-  if (line.is_sheared()) {
-    set_sheared(line, bar_error);
+  if (line.by_depth()) {
+    set_by_depth(line, bar_error);
   } else {
     const ShortDot dot = line.plain_dot(at);
     n = short_root(std::max<std::int32_t>(dot.square, 1));
@@ -54,8 +54,9 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
   }
 }
 
-[[gnu::noinline]] void LevelDot::set_sheared(const LineSection& line, std::int32_t bar_error) {
-  const ShortDot dot = line.sheared_dot(t);
+[[gnu::noinline]] void LevelDot::set_by_depth(const LineSection& line, std::int32_t bar_error) {
+  const ShortDot dot = line.depth_dot(t);
+  z = dot.z;
   n = short_root(std::max<std::int32_t>(dot.square, 1));
   set(dot, wide_error_of_root(dot.square_error, n), bar_error);
 }
@@ -66,7 +67,7 @@ LevelDot::LevelDot(const LineSection& line, std::int32_t at, std::int32_t bar_er
 //   of u (1-u) J     r times that; r's change, |dr| |E| / 16; r's errors of 16 units in dr ds and r E, and the roots' in dr ds
 //   of u (1-u) J/2A  that over 2A >= 4/5 (n_a + n_b); |J/2A| (|dn| + 2 |J/2A|) / 8 (n_a + n_b), the last from the root's series;
 //                    a quarter of what dn^2 errs by, 2 (|dn| + normal_error) 2 normal_error
-template <bool is_sheared>
+template <bool by_depth>
 [[gnu::always_inline]] inline void LevelChord::set(const LineSection& line, const LevelDot& a, const LevelDot& b) {
   const std::int32_t ds = b.s - a.s;
   const std::int32_t dn = b.n - a.n;
@@ -77,40 +78,52 @@ template <bool is_sheared>
   if (!dwarfs(s_sum, size(ds), 5) || !dwarfs(n_sum, size(dn), 5) || !dwarfs(n_sum, normal_error, 1 << 10)) return;
   const Divisor s(s_sum);
   const Divisor n(n_sum);
-  const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_));
+  // Of s or z.
+  std::int32_t change = ds;
+  std::int64_t bend;
+  if constexpr (by_depth) {
+    const LineDepth& depth = line.depth();
+    change = b.z - a.z;
+    const std::int64_t of_s = (depth.a >> 30) * change >> 30;
+    const std::int64_t of_b = depth.b.v1 * width_ >> BlockDepth::fraction;
+    if (magnitude(of_s) > s_sum / 4 || magnitude(of_b) > s_sum / 2) return;
+    bend = static_cast<std::int64_t>(static_cast<std::uint64_t>((2 * of_b + of_s) * change) -
+                                     second_difference(depth.c.v2, width_));
+  } else {
+    bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_));
+  }
   if (!s.divides(bend)) return;
   const std::int32_t e = s.quotient(bend);
-  // Of sigma.
-  const int bits = is_sheared ? line.forms().shear.bits : 0;
-  std::int32_t d_sigma = ds;
-  std::int32_t e_sigma = e;
-  if constexpr (is_sheared) {
-    const std::int64_t change = line.sigma(b.t, b.s) - line.sigma(a.t, a.s);
-    if ((size(e) | root_error) >> (30 - bits) != 0 || magnitude(change) >> 31 != 0) return;
-    d_sigma = static_cast<std::int32_t>(change);
-    e_sigma = e * (1 << bits);
-  }
   const std::int32_t r = (a.r >> 1) + (b.r >> 1);
   const std::int32_t dr = difference(b.r, a.r);
-  const auto bulge = static_cast<std::int64_t>(second_difference(line.forms().q.xx, width_) + product(dr, d_sigma) -
-                                               product(dn, dn) - product(r, e_sigma));
+  std::uint64_t bulge_terms =
+      second_difference(line.forms().q.xx, width_) + product(dr, change) - product(dn, dn) - product(r, e);
+  std::uint32_t bow_of_s = size(e);
+  std::uint32_t slope_error = 8;
+  std::uint64_t square_left = 0;
+  if constexpr (by_depth) {
+    const std::int32_t zz = line.forms().zz;
+    bulge_terms -= product(static_cast<std::int32_t>(std::int64_t{zz} * change >> 30), change);
+    bow_of_s = static_cast<std::uint32_t>(magnitude((line.depth().a >> 30) * e) >> 30) + 1;
+    slope_error = 16 + 4 * root_error;
+    square_left = std::uint64_t{size(static_cast<std::int32_t>(std::int64_t{zz} * e >> 30)) + 1} * size(e) / 16;
+  }
+  const auto bulge = static_cast<std::int64_t>(bulge_terms);
   if (!n.divides(bulge)) return;
   const std::int32_t j = n.quotient(bulge);
 
-  const std::uint32_t e_left = s.eighth_part(size(e), size(ds) + size(e)) + (size(e) >> 15) + root_error / 2 + 4;
-  if (is_sheared && e_left >> (30 - bits) != 0) return;
-  const std::uint32_t sigma_left = e_left << bits;
-  const std::uint32_t sigma_error = root_error << bits;
-  const auto bulge_left = static_cast<std::int64_t>(
-      std::uint64_t{size(dr)} * (size(e_sigma) / 16 + sigma_error / 2 + 1) +
-      (std::uint64_t{size(r)} + size(dr)) * sigma_left + std::uint64_t{size(d_sigma) + size(e_sigma)} * 8);
+  const std::uint32_t e_left = s.eighth_part(size(e), size(ds) + bow_of_s) + (size(e) >> 15) +
+                               (by_depth ? root_error + size(change) / s_sum + 4 : root_error / 2) + 4;
+  const auto bulge_left = static_cast<std::int64_t>(std::uint64_t{size(dr)} * (size(e) / 16 + root_error / 2 + 1) +
+                                                    (std::uint64_t{size(r)} + size(dr)) * e_left +
+                                                    std::uint64_t{size(change) + size(e)} * slope_error + square_left);
   if (!n.divides(bulge_left)) return;
   const std::int32_t m = line.forms().m;
-  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e_sigma >> 31);
+  bow_ = static_cast<std::int32_t>(std::int64_t{m} * e >> 31);
   normal_bow_ = j;
   const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
                                     n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
-  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * sigma_left >> 30);
+  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(m)} * e_left >> 30);
   keep(std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9));
 }
 
@@ -122,14 +135,14 @@ void LevelChord::keep(std::int32_t error) {
 }
 
 LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : width_(b.t - a.t) {
-  if (line.is_sheared()) {
-    set_sheared(line, a, b);
+  if (line.by_depth()) {
+    set_by_depth(line, a, b);
   } else {
     set<false>(line, a, b);
   }
 }
 
-[[gnu::noinline]] void LevelChord::set_sheared(const LineSection& line, const LevelDot& a, const LevelDot& b) {
+[[gnu::noinline]] void LevelChord::set_by_depth(const LineSection& line, const LevelDot& a, const LevelDot& b) {
   set<true>(line, a, b);
 }
 

@@ -6,6 +6,9 @@
 //     F     = (1-u) F_a + u F_b + u (1-u) B       B = m E + T J / 2A, to first order in J / A^2
 //   These are identities: no derivative need be bounded. E and J / 2A hardly change, and those of the middle make a quadratic of F:
 //     u = u0 + kappa u (1-u),   u0 = F_a / (F_a - F_b),   kappa = B / (F_a - F_b)
+// Depth   By z in place of s, with s = b + a z and (s + b) z = c, and r the derivative of |N|^2 by z:
+//     E     = (2 b' h dz + a dz^2 - c2 h^2) / (s + chord of s)
+//     J     = q2 h^2 + dr dz - zz dz^2 - dn^2 - r E - u (1-u) zz E^2
 // Error   What taking the middle leaves out of F: level_chord.cpp.
 // Source  Ours.
 #pragma once
@@ -26,9 +29,9 @@ struct Lead {
 
 // A dot as levels see it. |L|, n <= 2^30.
 struct LevelDot {
-  std::int32_t t, s, r;
+  std::int32_t t, s, z, r;
   std::int32_t l, n;                      // L / 2, |N|
-  std::int32_t root_error, normal_error;  // of s and n
+  std::int32_t root_error, normal_error;  // of s or z, and n
   std::int32_t error;                     // of F / 2
 
   LevelDot() = default;
@@ -41,7 +44,7 @@ struct LevelDot {
 
  private:
   void set(const ShortDot& dot, std::int32_t of_n, std::int32_t bar_error);
-  void set_sheared(const LineSection& line, std::int32_t bar_error);
+  void set_by_depth(const LineSection& line, std::int32_t bar_error);
 };
 
 // In dots right of the chord's left end, 16 bits of fraction; `error` is LevelPlace::unknown where nothing is known.
@@ -94,9 +97,9 @@ class LevelChord {
   }
 
  private:
-  template <bool is_sheared>
+  template <bool by_depth>
   void set(const LineSection& line, const LevelDot& a, const LevelDot& b);
-  void set_sheared(const LineSection& line, const LevelDot& a, const LevelDot& b);
+  void set_by_depth(const LineSection& line, const LevelDot& a, const LevelDot& b);
 
   [[nodiscard]] std::int32_t bow(std::uint32_t bar) const {
     return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar));

@@ -20,16 +20,6 @@ LineSection::LineSection(const SectionForms& forms, const LineForms& line)
       r_(shortened(line.r, line.half_bits, SectionForms::root_fraction)),
       l_(shortened(line.l, line.half_bits, SectionForms::light_fraction)) {}
 
-// As dot(), of sigma. Where that is too far for words the errors are so large that nothing follows.
-ShortDot LineSection::sheared_dot(std::int32_t t) const {
-  const ShearedRoot root = forms_.sheared_root(on_line_.d, on_line_.plane, t);
-  const std::int32_t root_error = (root.error >> forms_.shear.bits) + 4;
-  if (root.is_far()) return {root.s, 0, 0, 0, root_error, 1 << 30, 1 << 26};
-  const std::int32_t twice = static_cast<std::int32_t>(root.sigma) << 1;
-  const std::int32_t r = r_.linear(tau(t));
-  const std::int32_t l = l_.linear(tau(t)) + (high_product(forms_.m, twice) << 1);
-  const std::int32_t square = q_.at(tau(t)) + high_product(r << 3, twice);
-  return {root.s, r, l, square, root_error, root.error * forms_.m_size + 22, root.error + 118};
-}
+ShortDot LineSection::asked_depth_dot(std::int32_t t) const { return depth_dot(t); }
 
 }  // namespace halfspace

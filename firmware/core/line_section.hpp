@@ -3,6 +3,7 @@
 // Errors  D and q are told to 41 units of 2^28 (SectionForms counts less than 1 of them), so s to root_error() below; with r off by
 //         18 and s < 2^30, |r| < 2^28, that makes root_error + 72 + 41 + 5 units of 2^28 in |N|^2 (the last for what RootSurface
 //         lost, and a shift), and |m| root_error + 22 in L.
+// Depth   Where the forms are by z (section_forms.hpp), so are L and |N|^2; z takes 64 bits.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +40,7 @@ struct ShortPolynomial {
 
 // One dot of the section.
 struct ShortDot {
-  std::int32_t s, r, l;
+  std::int32_t s, z, r, l;                 // r the derivative of |N|^2 by s or z
   std::int32_t square;                     // |N|^2, in units of 2^28
   std::int32_t root_error;                 // of s
   std::int32_t light_error, square_error;  // of l and square
@@ -62,10 +63,10 @@ class LineSection {
     return (41 << 20) / std::max<std::int32_t>(s >> 8, 409) + 8;
   }
   [[nodiscard, gnu::always_inline]] ShortDot dot(std::int32_t t) const {
-    if (is_sheared()) return sheared_dot(t);
+    if (by_depth()) return asked_depth_dot(t);
     return plain_dot(t);
   }
-  // Without a shear; with one.
+  // By s; by z.
   [[nodiscard, gnu::always_inline]] ShortDot plain_dot(std::int32_t t) const {
     ShortDot dot;
     dot.s = root(t);
@@ -94,12 +95,10 @@ class LineSection {
   }
 
   [[nodiscard]] const SectionForms& forms() const { return forms_; }
-  [[nodiscard]] ShortDot sheared_dot(std::int32_t t) const;
-  [[nodiscard]] bool is_sheared() const { return forms_.shear.bits != 0; }
-  // Of a sheared block, from s at dot t.
-  [[nodiscard]] std::int64_t sigma(std::int32_t t, std::int32_t s) const {
-    return Shear::sigma(on_line_.plane, forms_.shear.bits, t, s);
-  }
+  [[nodiscard]] ShortDot depth_dot(std::int32_t t) const;
+  [[nodiscard]] ShortDot asked_depth_dot(std::int32_t t) const;  // the same, out of line
+  [[nodiscard]] bool by_depth() const { return forms_.by_depth; }
+  [[nodiscard]] const LineDepth& depth() const { return on_line_.depth; }
 
  private:
   const SectionForms& forms_;
@@ -107,5 +106,20 @@ class LineSection {
   int tau_shift_;
   ShortPolynomial d_, q_, r_, l_;
 };
+
+// Off by 41 in q and, with |z| < 2^29, by 36 for r and 4 for the square of z, by some floors, and by what z is. Where that is not known the
+// errors are so large that nothing follows.
+[[gnu::always_inline]] inline ShortDot LineSection::depth_dot(std::int32_t t) const {
+  const DotDepth at = forms_.depth_at(on_line_.d, on_line_.depth, t);
+  if (at.is_far()) return {at.s, 0, 0, 0, 0, at.root_error, 1 << 30, 1 << 26};
+  const std::int32_t twice = at.z << 1;
+  const std::int32_t half_rise = static_cast<std::int32_t>(std::int64_t{forms_.zz} * at.z >> 30);
+  const std::int32_t r = r_.linear(tau(t));
+  const std::int32_t l = l_.linear(tau(t)) + (high_product(forms_.m, twice) << 1);
+  const std::int32_t square = q_.at(tau(t)) + static_cast<std::int32_t>(std::int64_t{r + half_rise} * at.z >> 28);
+  const std::int32_t rise = r + 2 * half_rise;
+  const std::int32_t steepness = (static_cast<std::int32_t>(magnitude(rise)) >> 28) + 1;
+  return {at.s, at.z, rise, l, square, at.error, at.error * forms_.m_size + 22, at.error * steepness + 128};
+}
 
 }  // namespace halfspace

@@ -34,11 +34,11 @@ Polynomial<Terms> gradient(const FaceRows& f, std::size_t j) {
   return g;
 }
 
-// The sum of its terms' sizes for |t| <= h, |v| <= lines.
-Real size_of(const Polynomial<6>& p, std::int32_t h, std::int32_t lines) {
-  const auto size = [&p](std::size_t i) { return p[i].sign() < 0 ? -p[i] : p[i]; };
-  return size(0) + Real(h) * (size(1) + Real(h) * size(3) + Real(lines) * size(4)) +
-         Real(lines) * (size(2) + Real(lines) * size(5));
+// What multiplies a gradient's component j in the normal's component i: gw(page) = gw(local) - o . g.
+Real normal_factor(const ActiveFace& face, const Lighting& lighting, std::size_t i, std::size_t j) {
+  const std::array<std::int64_t, 4> origin{face.origin_x, face.origin_y, face.origin_z, 0};
+  const auto& row = lighting.matrix[i];
+  return Real(Wide<128>(row[j]) - Wide<128>(row[3]) * Wide<128>(origin[j]), 0);
 }
 
 // Returns the largest error.
@@ -80,15 +80,10 @@ FaceRows::FaceRows(const ActiveFace& face, std::int32_t page_x, std::int32_t pag
 template <std::size_t Terms>
 LitForms<Terms> lit_forms(const ActiveFace& face, const Lighting& lighting, std::int32_t x, std::int32_t y) {
   const FaceRows rows(face, x, y);
-  const std::array<std::int64_t, 4> origin{face.origin_x, face.origin_y, face.origin_z, 0};
   LitForms<Terms> out;
   for (std::size_t j = 0; j < 4; ++j) {
     const Polynomial<Terms> g = gradient<Terms>(rows, j);
-    for (int i = 0; i < 3; ++i) {
-      // gw(page) = gw(local) - o . g
-      const auto& row = lighting.matrix[i];
-      add<Terms>(out.normal[i], Real(Wide<128>(row[j]) - Wide<128>(row[3]) * Wide<128>(origin[j]), 0), g);
-    }
+    for (std::size_t i = 0; i < 3; ++i) add<Terms>(out.normal[i], normal_factor(face, lighting, i, j), g);
   }
   for (int i = 0; i < 3; ++i) {
     add<Terms>(out.light, Real(std::int64_t{lighting.light[i]} * face.light_sign), out.normal[i]);
@@ -97,6 +92,33 @@ LitForms<Terms> lit_forms(const ActiveFace& face, const Lighting& lighting, std:
 }
 template LitForms<1> lit_forms<1>(const ActiveFace&, const Lighting&, std::int32_t, std::int32_t);
 template LitForms<6> lit_forms<6>(const ActiveFace&, const Lighting&, std::int32_t, std::int32_t);
+
+DepthLight light_by_depth(const FaceRows& rows, const ActiveFace& face, const Lighting& lighting) {
+  DepthLight out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Polynomial<3> normal{};
+    Real slope;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Real factor = normal_factor(face, lighting, i, j);
+      if (factor.is_zero()) continue;
+      add<3>(normal, factor, rows.row[j]);
+      slope = slope + factor * rows.slope[j];
+    }
+    const Real light(std::int64_t{lighting.light[i]} * (rows.slope[2].sign() < 0 ? -face.light_sign : face.light_sign));
+    add<3>(out.l, light, normal);
+    out.m = out.m + light * slope;
+    add<6>(out.q, 1, product<6>(normal, normal));
+    add<3>(out.r, slope + slope, normal);
+    out.square = out.square + slope * slope;
+  }
+  return out;
+}
+
+Real size_of(const std::array<Real, 6>& p, std::int32_t dots, std::int32_t lines) {
+  const auto size = [&p](std::size_t i) { return p[i].sign() < 0 ? -p[i] : p[i]; };
+  return size(0) + Real(dots) * (size(1) + Real(dots) * size(3) + Real(lines) * size(4)) +
+         Real(lines) * (size(2) + Real(lines) * size(5));
+}
 
 int quotient_sign(const ActiveFace& face, std::int32_t x, std::int32_t y) {
   const Wide<128> b = face.c[5].times(x - face.origin_x) + face.c[4].times(y - face.origin_y) + face.c[8];

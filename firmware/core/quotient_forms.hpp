@@ -37,6 +37,17 @@ struct LitForms {
   std::array<Real, Terms> light{};
 };
 
+// By z: |N|^2 = q + r z + square z^2, L = l + m z, with the sign of z^2's factor; about the dot of its rows.
+struct DepthLight {
+  std::array<Real, 6> q;
+  RealVector r, l;
+  Real square, m;
+};
+[[nodiscard]] DepthLight light_by_depth(const FaceRows& rows, const ActiveFace& face, const Lighting& lighting);
+
+// The sum of a polynomial's terms' sizes up to so many dots and lines away.
+[[nodiscard]] Real size_of(const std::array<Real, 6>& p, std::int32_t dots, std::int32_t lines);
+
 // About page dot (x, y); to be multiplied by quotient_sign().
 template <std::size_t Terms>
 [[nodiscard]] LitForms<Terms> lit_forms(const ActiveFace& face, const Lighting& lighting, std::int32_t x,

@@ -66,36 +66,35 @@ Course course_of(const std::array<int, 5>& signs) {
 
 namespace {
 
-// alpha and beta of a line from its forms, `fraction` bits of fraction: sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to
+// alpha and beta of a line from its forms, 30 bits of fraction: sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to
 // 1/4 in l and m: light and square may be scaled at will, D as s is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
-// Gives the bits that a form was scaled up by.
-template <class Int>
-[[gnu::always_inline]] inline int load_slope(Int (&alpha)[3], Int (&beta)[2], const Int (&d)[3], const Terms& q,
-                                             const Terms& r, const Terms& l, std::int32_t line_m, int root_shift) {
-  constexpr int fraction = sizeof(Int) == 4 ? 30 : 60;
+void load_slope(std::int32_t (&alpha)[3], std::int32_t (&beta)[2], const std::int32_t (&d)[3], const Terms& q,
+                const Terms& r, const Terms& l, std::int32_t line_m, int root_shift) {
+  constexpr int fraction = 30;
   const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift))) + 1 - fraction;
   const std::int64_t m28 = std::int64_t{line_m} * (1 << SectionForms::light_fraction);
   const int l_shift = bits(l.size() + (magnitude(m28) << root_shift)) + 2 - fraction;
   const auto [d0, d1, d2] = d;
-  const auto q0 = q.cut<Int>(0, q_shift), q1 = q.cut<Int>(1, q_shift), q2 = q.cut<Int>(2, q_shift);
+  const auto q0 = q.cut<std::int32_t>(0, q_shift), q1 = q.cut<std::int32_t>(1, q_shift),
+             q2 = q.cut<std::int32_t>(2, q_shift);
   // 32 bits of fraction and 30 of s against |N|^2; and s is scaled
-  const auto r0 = r.cut<Int>(0, q_shift + 2 - root_shift), r1 = r.cut<Int>(1, q_shift + 2 - root_shift);
-  const auto l0 = l.cut<Int>(0, l_shift), l1 = l.cut<Int>(1, l_shift);
-  const auto m = static_cast<Int>(shifted_down(m28, l_shift - root_shift));
+  const auto r0 = r.cut<std::int32_t>(0, q_shift + 2 - root_shift),
+             r1 = r.cut<std::int32_t>(1, q_shift + 2 - root_shift);
+  const auto l0 = l.cut<std::int32_t>(0, l_shift), l1 = l.cut<std::int32_t>(1, l_shift);
+  const auto m = static_cast<std::int32_t>(shifted_down(m28, l_shift - root_shift));
   // 2 l' r - l r' = e + l1 r1 tau,  l r = p0 + p1 tau + l1 r1 tau^2
-  const Int l0r1 = times(l0, r1);
-  const Int l1r0 = times(l1, r0);
-  const Int l1r1 = times(l1, r1);
-  const Int e = 2 * l1r0 - l0r1;
-  const Int p0 = times(l0, r0);
-  const Int p1 = l0r1 + l1r0;
+  const std::int32_t l0r1 = times(l0, r1);
+  const std::int32_t l1r0 = times(l1, r0);
+  const std::int32_t l1r1 = times(l1, r1);
+  const std::int32_t e = 2 * l1r0 - l0r1;
+  const std::int32_t p0 = times(l0, r0);
+  const std::int32_t p1 = l0r1 + l1r0;
   beta[0] = 2 * times(l1, q0) - times(l0, q1) + times(m, times(d1, r0) / 2 - times(d0, r1));
   beta[1] = times(l1, q1) - 2 * times(l0, q2) + times(m, times(d2, r0) - times(d1, r1) / 2);
   alpha[0] = times(d0, e) - times(d1, p0) / 2 + times(m, times(d1, q0) - times(q1, d0));
   alpha[1] =
       times(d0, l1r1) + times(d1, e) - times(d1, p1) / 2 - times(d2, p0) + 2 * times(m, times(d2, q0) - times(q2, d0));
   alpha[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
-  return -std::min({q_shift, l_shift, 0});
 }
 
 }  // namespace
@@ -103,79 +102,105 @@ template <class Int>
 int RidgeDot::sign() const { return sure_sign(w, error); }
 
 RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
-    : forms_(forms), line_(line), tau_shift_(30 - line.half_bits), shear_bits_(line.shear_bits) {
+    : forms_(forms), line_(line), tau_shift_(30 - line.half_bits), root_shift_(0) {
+  if (line.by_depth) {
+    load_by_depth();
+    return;
+  }
   const Terms d(line.d, line.half_bits);
   root_shift_ = bits(d.size()) > 60 ? 1 : 0;
-  if (shear_bits_ == 0) {
-    const int down = 30 + 2 * root_shift_;
-    load({d.cut<std::int32_t>(0, down), d.cut<std::int32_t>(1, down), d.cut<std::int32_t>(2, down)});
-  } else {
-    load_sheared();
-  }
+  const int down = 30 + 2 * root_shift_;
+  load({d.cut<std::int32_t>(0, down), d.cut<std::int32_t>(1, down), d.cut<std::int32_t>(2, down)});
 }
 
 void RidgeForm::load(const std::int32_t (&d)[3]) {
   const int hb = line_.half_bits;
-  (void)load_slope(alpha_, beta_, d, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
+  load_slope(alpha_, beta_, d, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
   form_error_ = plain_error;
 }
 
-// A form's terms are off by less than deep_from in all, and by 2^most_up of that when scaled; so alpha, beta and the former with the plane
-// by less than 64, 64 and 256 times that.
-void RidgeForm::load_sheared() {
+// In 60 bits, and cut to 30 at last. Sizes of terms add up to at most 1/2 in |N|^2's and C's matrices and 1/4 in L, so that nothing below reaches
+// 1. What a term is off by, less than 8 deep_from units and 2^most_up of that when scaled, comes into w less than 8 times.
+void RidgeForm::load_by_depth() {
+  constexpr int fraction = 60;
   const int hb = line_.half_bits;
-  const Terms of_d(line_.d, hb);
-  const RootForms& by_root = forms_.by_root;
-  const std::int32_t v = line_.v;
-  std::int64_t alpha[3];
-  std::int64_t beta[2];
-  const std::int64_t d[3] = {of_d.cut<std::int64_t>(0, 2 * root_shift_), of_d.cut<std::int64_t>(1, 2 * root_shift_),
-                             of_d.cut<std::int64_t>(2, 2 * root_shift_)};
-  const int most_up = load_slope(alpha, beta, d, {by_root.q.on(v), hb}, {by_root.r.on(v), hb}, {by_root.l.on(v), hb},
-                                 by_root.m, root_shift_);
-  const Terms plane(line_.plane, hb);
-  const auto plane0 = plane.cut<std::int64_t>(0, root_shift_ + Shear::fraction - 30);
-  const auto plane1 = plane.cut<std::int64_t>(1, root_shift_ + Shear::fraction - 30);
-  alpha[0] += times(beta[0], plane0);
-  alpha[1] += times(beta[0], plane1) + times(beta[1], plane0);
-  alpha[2] += times(beta[1], plane1);
+  const Terms q(line_.q, hb), r(line_.r, hb), l(line_.l, hb), b(line_.depth.b, hb), c(line_.depth.c, hb);
+  const std::int64_t zz = forms_.depth.zz;
+  const std::int64_t m = forms_.depth.m;
+  const std::int64_t a = line_.depth.a;
+  // Bits below those of 60: r has 62, b 50.
+  const int n_shift = bits(q.size() + (r.size() >> 2) + (magnitude(zz))) + 1 - fraction;
+  const int l_shift = bits(l.size() + magnitude(m)) + 2 - fraction;
+  const int c_shift = bits((b.size() >> 2) + (magnitude(a) >> 12) + (c.size() >> 12)) + 1 + 12 - fraction;
+  using Row = std::array<std::int64_t, 3>;  // of x, z, 1
+  const std::int64_t r0 = r.cut<std::int64_t>(0, n_shift + 3), r1 = r.cut<std::int64_t>(1, n_shift + 3);
+  const std::int64_t q1 = q.cut<std::int64_t>(1, n_shift + 1);
+  const Row n[3] = {{q.cut<std::int64_t>(2, n_shift), r1, q1},
+                    {r1, shifted_down(zz, n_shift), r0},
+                    {q1, r0, q.cut<std::int64_t>(0, n_shift)}};
+  const Row light{l.cut<std::int64_t>(1, l_shift), shifted_down(m, l_shift), l.cut<std::int64_t>(0, l_shift)};
+  const std::int64_t b0 = b.cut<std::int64_t>(0, c_shift - 10), b1 = b.cut<std::int64_t>(1, c_shift - 10);
+  const std::int64_t c1 = -c.cut<std::int64_t>(1, c_shift + 1);
+  const Row conic[3] = {{-c.cut<std::int64_t>(2, c_shift), b1, c1},
+                        {b1, shifted_down(a, c_shift), b0},
+                        {c1, b0, -c.cut<std::int64_t>(0, c_shift)}};
+  // w = X . |N|^2 (L x C) X
+  Row turned[3];  // columns of L x C
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
+      turned[i][k] = times(light[next], conic[i][last]) - times(light[last], conic[i][next]);
+    }
+  }
+  const auto entry = [&](std::size_t i, std::size_t k) {
+    return times(n[i][0], turned[k][0]) + times(n[i][1], turned[k][1]) + times(n[i][2], turned[k][2]);
+  };
+  const std::int64_t w[6] = {
+      entry(2, 2), entry(0, 2) + entry(2, 0), entry(0, 0), entry(1, 2) + entry(2, 1), entry(0, 1) + entry(1, 0),
+      entry(1, 1)};
   std::uint64_t size = 1;
-  for (const std::int64_t a : alpha) size += magnitude(a);
-  for (const std::int64_t b : beta) size += magnitude(b) >> shear_bits_;
-  const int shift = bits(size) - 30;
-  for (int i = 0; i < 3; ++i) alpha_[i] = static_cast<std::int32_t>(shifted_down(alpha[i], shift));
-  for (int i = 0; i < 2; ++i) beta_[i] = static_cast<std::int32_t>(shifted_down(beta[i], shift + shear_bits_));
-  const std::int64_t error = shifted_down(std::int64_t{512} * forms_.deep_from, shift - most_up);
-  form_error_ =
-      plain_error + (1 << shear_bits_) + static_cast<std::int32_t>(std::min<std::int64_t>(error + 1, far_error));
+  for (const std::int64_t v : w) size += magnitude(v);
+  const int shift = bits(size) - 29;
+  for (int i = 0; i < 3; ++i) alpha_[i] = static_cast<std::int32_t>(shifted_down(w[i], shift));
+  for (int i = 0; i < 2; ++i) beta_[i] = static_cast<std::int32_t>(shifted_down(w[3 + i], shift));
+  gamma_ = static_cast<std::int32_t>(shifted_down(w[5], shift));
+  const int most_up = -std::min({n_shift, l_shift, c_shift, 0});
+  const std::int64_t error =
+      shifted_down(std::int64_t{64} * forms_.deep_from + (std::int64_t{1} << (14 + hb)), shift - most_up);
+  form_error_ = plain_error + static_cast<std::int32_t>(std::min<std::int64_t>(error + 1, far_error / 2));
 }
 
 RidgeDot RidgeForm::at(std::int32_t t) const {
   RidgeDot p;
   p.tau = static_cast<std::int32_t>(static_cast<std::uint32_t>(t) << tau_shift_);
-  if (shear_bits_ == 0) {
-    const std::int32_t s = line_.d.root(t);
-    p.s = s;
-    p.sigma = s >> root_shift_;
-    p.root_error = s >= forms_.deep_from ? SectionForms::deep_root_error : forms_.errors[0].root;
-    p.error = form_error_ + p.root_error;
-  } else {
-    shear(p, t);
+  if (line_.by_depth) {
+    set_depth(p, t);
+    return p;
   }
-  p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(beta_at(p.tau), p.sigma);
+  p.s = line_.d.root(t);
+  p.sigma = p.s >> root_shift_;
+  p.slope = beta_at(p.tau);
+  p.root_error = p.s >= forms_.deep_from ? SectionForms::deep_root_error : forms_.errors[0].root;
+  p.error = form_error_ + p.root_error;
+  p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(p.slope, p.sigma);
   return p;
 }
 
-void RidgeForm::shear(RidgeDot& p, std::int32_t t) const {
-  const ShearedRoot root = forms_.sheared_root(line_.d, line_.plane, t);
-  p.s = root.fine;
-  p.sigma = root.is_far() ? 0 : static_cast<std::int32_t>(root.sigma) >> root_shift_;
-  p.root_error = root.is_far() ? far_error : root.error;
-  p.error = root.is_far() ? far_error : form_error_ + times(size(beta_at(p.tau)), root.error) + 2;
+void RidgeForm::set_depth(RidgeDot& p, std::int32_t t) const {
+  const DotDepth at = forms_.depth_at(line_.d, line_.depth, t);
+  p.s = at.s;
+  p.sigma = at.z;
+  p.root_error = at.error;
+  const std::int32_t square = times(gamma_, p.sigma);
+  const std::int32_t slope = beta_at(p.tau) + square;
+  p.slope = slope + square;
+  p.w = alpha_[0] + times(alpha_[1] + times(alpha_[2], p.tau), p.tau) + times(slope, p.sigma);
+  p.error = at.is_far() ? far_error : form_error_ + times(size(p.slope), at.error) + 2;
 }
 
 Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b) const {
-  const Course known = shear_bits_ == 0 ? plain_course(a, b) : Course::unsure;
+  if (line_.by_depth) return depth_course(a, b);
+  const Course known = plain_course(a, b);
   return known != Course::unsure ? known : scaled_course(a, b);
 }
 
@@ -191,35 +216,74 @@ std::int32_t RidgeForm::square_of_way(const RidgeDot& a, const RidgeDot& b) cons
 Course RidgeForm::plain_course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int32_t error = std::max(a.root_error, b.root_error);
   const std::int64_t bend = plus_product(0, square_of_way(a, b), line_.d.v2);
-  const Arc arc(a.sigma, b.sigma, bend >> 2 * root_shift_, 30);
+  const Arc arc(a.sigma, b.sigma, bend >> 2 * root_shift_);
   if (arc.weight() <= 6 * error + 8) return Course::unsure;
   return course(a, b, arc, w_between(a, b), 8 * error + 512, 32 * error + 2048);
 }
 
-// The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. With e what s errs by then, and
-// g such that beta is that of s 2^g:
+// The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. With e what s errs by then:
 //   delta     2 e of its square, 1 more of its error's, h^2 units of D2 h^2, 2 of floors
-//   w_at      2 E of w, |w| 2 e of s, |beta| 2^g delta's / 2; beta's part of E once, 4 of floors: less than E
-//   middle    7 E, |w| (12 e + delta's), 2 |beta| 2^g (delta's + e), 4 E of beta's part; floors less than E
 Course RidgeForm::scaled_course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int32_t square = square_of_way(a, b);
   const std::int64_t bend = plus_product(0, square, line_.d.v2);
-  const int room = 30 + shear_bits_ - bits(magnitude(a.s | b.s));
+  const int room = 30 - bits(magnitude(a.s | b.s));
   const int scale = std::min({room, (std::countl_zero(magnitude(bend)) - 4) >> 1, most_scale});
-  const int down = shear_bits_ - scale;
-  const std::int32_t sigma_error = std::max(a.root_error, b.root_error);
-  const std::int64_t root_error = shifted_down(sigma_error, down) + 1;
+  const std::int64_t root_error = shifted_down(std::max(a.root_error, b.root_error), -scale) + 1;
   if (root_error >> 15 != 0) return Course::unsure;
-  const Arc arc(static_cast<std::int32_t>(shifted_down(a.s, down)), static_cast<std::int32_t>(shifted_down(b.s, down)),
-                shifted_down(bend, -2 * scale), 30 - down + root_shift_);
-  const auto delta_error = static_cast<std::int32_t>(2 * root_error + shifted_down(square, 30 - 2 * scale) + 4);
-  if (arc.weight() <= delta_error + 4 * root_error + 4) return Course::unsure;
+  const std::int64_t delta_error = 2 * root_error + shifted_down(square, 30 - 2 * scale) + 4;
+  Arc arc(static_cast<std::int32_t>(shifted_down(a.s, -scale)), static_cast<std::int32_t>(shifted_down(b.s, -scale)),
+          shifted_down(bend, -2 * scale));
+  arc.bow >>= scale + root_shift_;
+  return course(a, b, arc, {root_error, delta_error, ((root_error + delta_error) >> scale) + 1});
+}
+
+// delta_z errs by what z does, times what s changes by, by term_error h^2 of c2 h^2 and h 2^13 of b'; all in 60 bits.
+Course RidgeForm::depth_course(const RidgeDot& a, const RidgeDot& b) const {
+  if (a.error == far_error || b.error == far_error) return Course::unsure;
+  const LineDepth& depth = line_.depth;
+  const std::int32_t square = square_of_way(a, b);
+  const std::uint32_t way = (static_cast<std::uint32_t>(b.tau) - static_cast<std::uint32_t>(a.tau)) >> tau_shift_;
+  const std::int64_t change = std::int64_t{b.sigma} - a.sigma;
+  const std::int64_t wide_change = change * (1 << 30);
+  const std::int64_t of_b =
+      plus_product(0, static_cast<std::int32_t>(way), depth.b.v1) * (1 << (30 - BlockDepth::fraction));
+  const std::int64_t of_a = times(depth.a, wide_change);
+  if ((magnitude(of_b) | magnitude(of_a)) >> 61 != 0) return Course::unsure;
+  const std::int64_t bend = plus_product(2 * times(of_b, wide_change) + times(of_a, wide_change), -square, depth.c.v2);
+  const std::int64_t delta = times(bend, depth.a);
+  const std::int64_t change_error = 4 * std::int64_t{std::max(a.root_error, b.root_error)};
+  const std::int64_t bend_error = change_error * static_cast<std::int64_t>((magnitude(of_b) + magnitude(of_a)) >> 30) +
+                                  (std::int64_t{way} << 14) + std::int64_t{BlockDepth::term_error} * square + 16;
+
+  const int room = 30 - bits(magnitude(a.s | b.s));
+  const int scale = std::min(
+      {room, std::countl_zero(magnitude(bend)) - 3, (std::countl_zero(magnitude(delta)) - 4) >> 1, most_scale});
+  const std::int32_t least_s = std::max<std::int32_t>(std::min(a.s, b.s), 1);
+  const std::int64_t root_error =
+      shifted_down(std::min(forms_.deep_from / least_s + 4, forms_.errors[0].root), -scale) + 1;
+  const std::int64_t delta_error =
+      shifted_down(times(bend_error, static_cast<std::int64_t>(magnitude(depth.a))), 31 - 2 * scale) +
+      shifted_down(1, -std::max(scale, 0)) + 4;
+  const std::int64_t bow_error = shifted_down(bend_error, 31 - scale) + 2;
+  if ((root_error | delta_error | bow_error) >> 20 != 0) return Course::unsure;
+  const Arc arc(static_cast<std::int32_t>(shifted_down(a.s, -scale)),
+                static_cast<std::int32_t>(shifted_down(b.s, -scale)),
+                static_cast<std::int32_t>(shifted_down(delta, 31 - 2 * scale)),
+                static_cast<std::int32_t>(shifted_down(bend, 31 - scale)));
+  return course(a, b, arc, {root_error, delta_error, bow_error + root_error});
+}
+
+// With E what w errs by, and e, D and G what s, delta and bow do:
+//   w_at      2 E of w, |w| 2 e of s, |beta| G / 2; beta's part of E once, 4 of floors: less than E
+//   middle    7 E, |w| (12 e + D), 2 |beta| G, 4 E of beta's part; floors less than E; |gamma| 3 G
+Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, const ArcErrors& errors) const {
+  if (errors.delta >> 20 != 0 || arc.weight() <= errors.delta + 4 * errors.root + 4) return Course::unsure;
   const std::int32_t w_ab = w_between(a, b);
   const std::int32_t most_w = std::max({size(a.w), size(b.w), size(w_ab)});
-  const std::int32_t most_beta = std::max(size(beta_at(a.tau)), size(beta_at(b.tau)));
-  const std::int64_t of_w = form_error_ + times(most_beta, sigma_error) + 2;
-  const std::int64_t of_roots = times(most_w, static_cast<std::int32_t>(12 * root_error) + delta_error) +
-                                arc.bow(most_beta, static_cast<std::int32_t>(root_error) + delta_error);
+  const std::int32_t most_beta = std::max(size(a.slope), size(b.slope)) + 2 * size(gamma_);
+  const std::int64_t of_w = form_error_ + times(most_beta, std::max(a.root_error, b.root_error)) + 2;
+  const std::int64_t of_roots = times(most_w, static_cast<std::int32_t>(12 * errors.root + errors.delta)) +
+                                times(most_beta, static_cast<std::int32_t>(errors.bow)) + 2;
   return course(a, b, arc, w_ab, 4 * of_w + of_roots, 16 * of_w + 2 * of_roots);
 }
 
@@ -227,18 +291,17 @@ Course RidgeForm::scaled_course(const RidgeDot& a, const RidgeDot& b) const {
 std::int32_t RidgeForm::w_between(const RidgeDot& a, const RidgeDot& b) const {
   const auto mean = static_cast<std::int32_t>((std::int64_t{a.tau} + b.tau) >> 1);
   return alpha_[0] + times(alpha_[1], mean) + times(alpha_[2], times(a.tau, b.tau)) +
-         mixed(beta_at(a.tau), b.sigma, beta_at(b.tau), a.sigma);
+         mixed(a.slope, b.sigma, b.slope, a.sigma) - times(gamma_, times(a.sigma, b.sigma));
 }
 
 Course RidgeForm::course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, std::int32_t w_ab,
                          std::int64_t side_error, std::int64_t middle_error) const {
-  const std::int32_t beta_a = beta_at(a.tau);
-  const std::int32_t beta_b = beta_at(b.tau);
-  const std::int64_t w_at = std::int64_t{times(arc.s_b, a.w)} + times(arc.s_a, w_ab) + arc.bow(beta_a) / 2;
-  const std::int64_t w_tb = std::int64_t{times(arc.s_a, b.w)} + times(arc.s_b, w_ab) + arc.bow(beta_b) / 2;
+  const std::int64_t w_at = std::int64_t{times(arc.s_b, a.w)} + times(arc.s_a, w_ab) + times(a.slope, arc.bow) / 2;
+  const std::int64_t w_tb = std::int64_t{times(arc.s_a, b.w)} + times(arc.s_b, w_ab) + times(b.slope, arc.bow) / 2;
   const std::int64_t middle = std::int64_t{times(times(arc.s_b, arc.s_b), a.w)} + times(times(arc.s_a, arc.s_a), b.w) +
                               ((arc.weight() + 2 * std::int64_t{times(arc.s_a, arc.s_b)}) * w_ab >> 30) +
-                              2 * arc.bow(mixed(beta_a, arc.s_b, beta_b, arc.s_a));
+                              2 * (std::int64_t{mixed(a.slope, arc.s_b, b.slope, arc.s_a)} * arc.bow >> 30) +
+                              times(gamma_, times(arc.bow, arc.bow));
   return course_of(
       {a.sign(), sure_sign(w_at, side_error), sure_sign(middle, middle_error), sure_sign(w_tb, side_error), b.sign()});
 }

@@ -11,8 +11,10 @@
 //   It has no more roots between a and b than these have changes of sign, and as many or an even number fewer.
 // Scale   s_a, s_b and a root of delta are weights: all of them times c leaves the arc what it is. Where s is far below the largest of its
 //         block the four products above are small, and what they err by is not; so the arc is scaled until the largest is near 1.
-// Shear   With sigma in place of s (section_forms.hpp) w = alpha + beta plane + beta sigma: then alpha and beta are computed in 60 bits from
-//         the forms as they were, since they cancel three times over, and cut when they have. The poles keep s.
+// Depth   By z in place of s (section_forms.hpp) the section is the conic C = a z^2 + 2 b z - c = 0, and with X = (x, z, 1), C and |N|^2 for
+//         their symmetric matrices and L for its row
+//     w = L . (C X x |N|^2 X) = alpha + beta z + gamma z^2         of second degree in X, so all of the above holds
+//     T = s_b A + s_a B + (0, delta_z, 0),   delta_z = (2 b' h dz + a dz^2 - c2 h^2) / 2,   delta = a delta_z
 // Units   tau = t 2^-half_bits in [-1, 1]; every quantity has 30 bits of fraction.
 // Errors  Inputs are cut to within a unit, so alpha and beta are within 64, and w within plain_error + the root's (ridge_form.cpp).
 // Source  Farin, Curves and Surfaces for CAGD: conics as rational quadratics, variation diminution. The forms are ours.
@@ -27,10 +29,10 @@ namespace halfspace {
 
 // A dot of the section as the form needs it.
 struct RidgeDot {
-  std::int64_t s;  // as fine as sigma
-  std::int32_t tau, sigma;
-  std::int32_t w;
-  std::int32_t root_error, error;  // of s in its own units, and of w
+  std::int32_t s, tau;
+  std::int32_t sigma;              // s or z
+  std::int32_t w, slope;           // dw / dsigma
+  std::int32_t root_error, error;  // of sigma in its own units, and of w
   // Of dI/dx: -1, 0 for unsure, 1.
   [[nodiscard]] int sign() const;
 };
@@ -53,25 +55,23 @@ class RidgeForm {
   // The weights of a section's arc between two dots, times a power of two.
   struct Arc {
     std::int32_t s_a, s_b, delta;
-    int bow_shift;  // beta's fraction less that of s
+    std::int32_t bow;  // delta, or delta_z; of s or z as they are, so times the power once
 
     // `bend` is D2 h^2, 60 bits of fraction.
-    Arc(std::int32_t at_a, std::int32_t at_b, std::int64_t bend, int shift)
+    Arc(std::int32_t at_a, std::int32_t at_b, std::int64_t bend)
         : s_a(at_a),
           s_b(at_b),
           delta(static_cast<std::int32_t>((std::int64_t{at_b - at_a} * (at_b - at_a) - bend) >> 31)),
-          bow_shift(shift) {}
+          bow(delta) {}
+    Arc(std::int32_t at_a, std::int32_t at_b, std::int32_t of_s, std::int32_t of_z)
+        : s_a(at_a), s_b(at_b), delta(of_s), bow(of_z) {}
     // Half the product of its ends' weights, P + s_a s_b.
     [[nodiscard]] std::int64_t weight() const { return (std::int64_t{s_a} * s_b >> 29) + delta; }
-    [[nodiscard]] std::int64_t bow(std::int32_t beta) const { return bow(beta, delta); }
-    [[nodiscard]] std::int64_t bow(std::int32_t beta, std::int32_t of) const {
-      return std::int64_t{beta} * of >> bow_shift;
-    }
   };
 
   void load(const std::int32_t (&d)[3]);  // of D's terms
-  void load_sheared();
-  [[gnu::noinline]] void shear(RidgeDot& p, std::int32_t t) const;
+  void load_by_depth();
+  [[gnu::noinline]] void set_depth(RidgeDot& p, std::int32_t t) const;
   [[nodiscard]] std::int32_t beta_at(std::int32_t tau) const {
     return beta_[0] + static_cast<std::int32_t>(std::int64_t{beta_[1]} * tau >> 30);
   }
@@ -79,15 +79,21 @@ class RidgeForm {
   [[nodiscard]] std::int32_t w_between(const RidgeDot& a, const RidgeDot& b) const;
   [[nodiscard]] Course plain_course(const RidgeDot& a, const RidgeDot& b) const;
   [[nodiscard]] Course scaled_course(const RidgeDot& a, const RidgeDot& b) const;
+  [[nodiscard]] Course depth_course(const RidgeDot& a, const RidgeDot& b) const;
+  // What an arc errs by: its s, delta, and bow with what s makes of that.
+  struct ArcErrors {
+    std::int64_t root, delta, bow;
+  };
+  [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, const ArcErrors& errors) const;
   // From w's polar form and the errors of w_at and w_tb, and of the middle.
   [[nodiscard]] Course course(const RidgeDot& a, const RidgeDot& b, const Arc& arc, std::int32_t w_ab,
                               std::int64_t side_error, std::int64_t middle_error) const;
 
   const SectionForms& forms_;
   const LineForms& line_;
-  int tau_shift_, root_shift_, shear_bits_;
+  int tau_shift_, root_shift_;
   std::int32_t form_error_;  // of w, where s is exact
-  std::int32_t alpha_[3], beta_[2];
+  std::int32_t alpha_[3], beta_[2], gamma_ = 0;
 };
 
 }  // namespace halfspace

@@ -1,9 +1,9 @@
 // section_forms.hpp - a root face's forms about a block of dots in 64 bits: rounded once for the block, so that each of its scan
 // lines costs a few products.
 //   L = l + m s,  |N|^2 = q + r s,  s = sqrt(D);  D and q quadratic, l and r linear in t and v, dot and line counted from the middle.
-// Shear   Where a line of sight runs nearly along the face's asymptotic cone, l and m s are large and their sum is not. There s is told from a
-//         plane that is near it on the block: L = l + m sigma, |N|^2 = q + r sigma, sigma = (s - plane) 2^bits, with l and q that have taken in
-//         m and r times the plane, exactly.
+// Depth   Where a line of sight runs nearly along the face's asymptotic cone, l and m s are large and their sum is not. There the forms are
+//         those of z: L = l + m z, |N|^2 = q + r z + zz z^2, whose terms are no larger than what they make. With a z^2, 2 b z and c in
+//         the quadric, and signs such that s = b + a z, z = c / (s + b), however small a is.
 // Ranges  D < 2^59 and |N|^2 < 2^59, q and r 2^30 < 2^58, |L| < 2^31 on the whole block; level k is reached when L > 0 and
 //         L^2 >= squares[k] |N|^2 / 2^32.
 // Errors  A coefficient is rounded down to a unit, so a quadratic's value is off by less than (|t| + |v| + 1)^2, and by 1 more where
@@ -32,7 +32,7 @@ constexpr std::uint64_t magnitude(std::int64_t v) {
 
 // A polynomial of a line: v0 + v1 t + v2 t^2.
 struct LinePolynomial {
-  std::int64_t v0 = 0, v1 = 0, v2 = 0;
+  std::int64_t v0, v1, v2;
 
   [[nodiscard]] std::int64_t at(std::int32_t t) const { return plus_product(v0, t, plus_product(v1, t, v2)); }
   [[nodiscard]] std::int64_t linear(std::int32_t t) const { return plus_product(v0, t, v1); }
@@ -57,33 +57,35 @@ struct BlockLinear {
   [[nodiscard]] LinePolynomial on(std::int32_t v) const { return {plus_product(c, v, y), x, 0}; }
 };
 
-// sigma = (s - plane) 2^bits; plane has 20 bits of fraction. Without bits there is none: sigma is s.
-struct Shear {
-  BlockLinear plane;
-  int bits = 0;
-
-  static constexpr int fraction = 20, most_bits = 9;
-
-  // From s at dot t of a line with such a plane.
-  [[nodiscard]] static std::int64_t sigma(const LinePolynomial& plane, int bits, std::int32_t t, std::int32_t s) {
-    return (std::int64_t{s} * (1 << fraction) - plane.linear(t)) >> (fraction - bits);
-  }
+// z of a dot, in units such that |z| < 2^29.
+struct DotDepth {
+  std::int32_t s, z;
+  std::int32_t root_error, error;  // of s and z
+  static constexpr std::int32_t far_error = 1 << 30;
+  [[nodiscard]] bool is_far() const { return error == far_error; }  // z is not known
 };
 
-// s and sigma at a dot of a sheared block; too far from the plane for words where |sigma| is 2^30 or more.
-struct ShearedRoot {
-  std::int32_t s;
-  std::int64_t fine;  // s 2^bits
-  std::int64_t sigma;
-  std::int32_t error;  // of the last two
-  [[nodiscard]] bool is_far() const { return magnitude(sigma) >> 30 != 0; }
+// s = b + a z, and z = c / (s + b).
+struct LineDepth {
+  LinePolynomial b, c;
+  std::int64_t a;  // 60 bits of fraction
+};
+struct BlockDepth {
+  BlockLinear b;     // 20 bits of fraction
+  BlockQuadratic c;  // its terms are off by less than term_error units
+  std::int64_t a = 0;
+  std::int64_t m = 0, zz = 0;  // of L and |N|^2, 58 and 60 bits of fraction
+
+  static constexpr int fraction = 20, term_error = 8;
+  [[nodiscard]] LineDepth on(std::int32_t v) const { return {b.on(v), c.on(v), a}; }
 };
 
-// What L and |N|^2 are by a root.
+// What L and |N|^2 are by a root, or by z.
 struct RootForms {
   BlockQuadratic q;
-  BlockLinear r, l;    // 32 and light_fraction bits of fraction
-  std::int32_t m = 0;  // 30 bits of fraction
+  BlockLinear r, l;     // 32 and light_fraction bits of fraction
+  std::int32_t m = 0;   // 30 bits of fraction
+  std::int32_t zz = 0;  // of z^2: 30 bits of fraction
 };
 
 // The forms on one line.
@@ -91,9 +93,8 @@ struct LineForms {
   LinePolynomial d, q, r, l;
   std::int32_t m;
   int half_bits;
-  std::int32_t v;  // the line
-  int shear_bits;
-  LinePolynomial plane;  // of the shear
+  bool by_depth;
+  LineDepth depth;  // if so
 };
 
 // What a dot may be off by: s, L, and |N|^2 in units of 2^16.
@@ -101,11 +102,11 @@ struct SectionErrors {
   std::int32_t root = 0, light = 0, square = 0;
 };
 
-// By sigma.
 struct SectionForms : RootForms {
   BlockQuadratic d;
-  Shear shear;
-  RootForms by_root;                            // without the shear; if there is one
+  bool by_depth = false;
+  BlockDepth depth;                             // if so
+  RootForms by_root;                            // too
   std::int32_t x0 = 0, x1 = 0, y0 = 0, y1 = 0;  // the block, on the page: y0 <= y < y1
   std::int32_t middle = 0, line = 0;            // where t and v are 0
   std::int32_t half = 0;                        // |t| <= half; 0: nothing is known yet
@@ -125,13 +126,19 @@ struct SectionForms : RootForms {
   void cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to);
   [[nodiscard]] LineForms on(std::int32_t y) const {
     const std::int32_t v = y - line;
-    return {d.on(v), q.on(v),    r.on(v),
-            l.on(v), m,          half_bits,
-            v,       shear.bits, shear.bits == 0 ? LinePolynomial{} : shear.plane.on(v)};
+    LineForms forms;
+    forms.d = d.on(v);
+    forms.q = q.on(v);
+    forms.r = r.on(v);
+    forms.l = l.on(v);
+    forms.m = m;
+    forms.half_bits = half_bits;
+    forms.by_depth = by_depth;
+    if (by_depth) forms.depth = depth.on(v);
+    return forms;
   }
-  // At dot t of a line, where there is a shear.
-  [[nodiscard]] ShearedRoot sheared_root(const LinePolynomial& d_on, const LinePolynomial& plane_on,
-                                         std::int32_t t) const;
+  // At dot t of a line, where the forms are by z.
+  [[nodiscard]] DotDepth depth_at(const LinePolynomial& d_on, const LineDepth& depth_on, std::int32_t t) const;
   // Whether a dot of the block reaches a level, by its entry in LevelTable::squares.
   [[nodiscard]] Answer reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const;
 
@@ -139,11 +146,49 @@ struct SectionForms : RootForms {
   struct Box {
     std::int32_t left, right, y, lines;  // half of its lines
   };
-  // For the shear, dots from .. to of its first line tell.
+  // Whether by z, dots from .. to of its first line tell.
   void cover(const ShadeJob& job, const Box& box, std::int32_t from, std::int32_t to);
   void load(const ShadeJob& job, std::int32_t lines, std::int32_t from, std::int32_t to);
   [[nodiscard]] bool cancels(std::int32_t v, std::int32_t from, std::int32_t to) const;
+  // False where z cannot be told well enough.
+  [[nodiscard]] bool load_depth(const ShadeJob& job, int root_shift, std::int32_t lines, std::int32_t from,
+                                std::int32_t to);
   [[nodiscard]] SectionErrors errors_for(std::int32_t root_error, std::int32_t of_m) const;
 };
+
+// D's error makes E / s in its root or, at a limb, its own root. z is a first quotient by 16 bits of the sum's inverse, and one more of what is
+// left of c. Where s + b is s / 2 or more it is off by no more than s is, but for 1; so is z by c's error and |z| times that, over the sum, and
+// by 5 of floors.
+[[gnu::always_inline]] inline DotDepth SectionForms::depth_at(const LinePolynomial& d_on, const LineDepth& depth_on,
+                                                              std::int32_t t) const {
+  const std::int32_t s = d_on.root(t);
+  const std::int32_t root_error = std::min(deep_from / std::max<std::int32_t>(s, 1) + 4, errors[0].root);
+  DotDepth dot{s, 0, root_error, DotDepth::far_error};
+  const std::int64_t wide_sum = s + (depth_on.b.linear(t) >> BlockDepth::fraction);
+  const auto sum = static_cast<std::uint32_t>(wide_sum);
+  if (wide_sum >> 31 != 0 || sum < std::max<std::uint32_t>(static_cast<std::uint32_t>(s + 1) >> 1, 1 << 16) ||
+      root_error >> 12 != 0) {
+    return dot;
+  }
+  const std::int64_t value = depth_on.c.at(t);
+  const auto high = static_cast<std::int32_t>(value >> 32);
+  if (static_cast<std::uint32_t>(magnitude(high)) >= sum >> 3) return dot;
+  const int zeros = std::countl_zero(sum);  // 1 to 15
+  const auto inverse = static_cast<std::int32_t>(~0U / (sum << zeros >> 16));
+  const std::uint32_t upper =
+      static_cast<std::uint32_t>(high) << zeros | static_cast<std::uint32_t>(value) >> (32 - zeros);
+  const auto first = static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(upper)} * inverse >> 16);
+  const std::int64_t left = value - std::int64_t{first} * static_cast<std::int32_t>(sum);
+  const std::uint32_t rest = static_cast<std::uint32_t>(left) >> (16 - zeros) | static_cast<std::uint32_t>(left >> 32)
+                                                                                    << (16 + zeros);
+  dot.z = first + static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(rest)} * inverse >> 32);
+  const auto c_error = static_cast<std::uint32_t>(BlockDepth::term_error * deep_from);
+  const std::uint32_t error =
+      (c_error >> 10) + 1 +
+      ((static_cast<std::uint32_t>(magnitude(dot.z)) >> 10) + 1) * static_cast<std::uint32_t>(root_error + 2);
+  dot.error = static_cast<std::int32_t>(error / (sum >> 10)) + 5;
+  if (dot.error >> 15 != 0) dot.error = DotDepth::far_error;
+  return dot;
+}
 
 }  // namespace halfspace

@@ -41,7 +41,7 @@ class Canvas {
       shade_span(job, Shader::isqrt, line, dots.x0, dots.x1);
     });
   }
-  [[nodiscard]] bool is_sheared() const { return contours_.general.forms.shear.bits != 0; }
+  [[nodiscard]] bool by_depth() const { return contours_.general.forms.by_depth; }
   // From now on, what contours know of a face serves its next lines.
   void keep() { keeps_ = true; }
   template <class Shade>
@@ -268,7 +268,7 @@ TEST(GeneralContour, EveryLineOfAFace) {
 TEST(GeneralContour, LinesOfSightNearAnAsymptote) {
   Dice dice(39);
   std::uint64_t dots = 0;
-  std::uint64_t sheared = 0;
+  std::uint64_t by_depth = 0;
   for (int trial = 0; trial < trials(600); ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 40 == 0 ? 400 : between(dice, 8, 150));
     const Lighting lighting = random_lighting(dice);
@@ -283,12 +283,12 @@ TEST(GeneralContour, LinesOfSightNearAnAsymptote) {
         ASSERT_EQ(canvas.contour(face, *exact, y, run).levels, canvas.dots(face, *exact, y, run).levels)
             << "trial " << trial << " dots " << run.x0 << ".." << run.x1 << " line " << y;
         dots += static_cast<std::uint64_t>(run.x1 - run.x0 + 1);
-        if (canvas.is_sheared()) sheared += static_cast<std::uint64_t>(run.x1 - run.x0 + 1);
+        if (canvas.by_depth()) by_depth += static_cast<std::uint64_t>(run.x1 - run.x0 + 1);
       }
     }
   }
   EXPECT_GT(dots, 100000U);
-  EXPECT_GT(sheared, 10000U);
+  EXPECT_GT(by_depth, 10000U);
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
