@@ -221,7 +221,8 @@ Course RidgeForm::plain_course(const RidgeDot& a, const RidgeDot& b) const {
   return course(a, b, arc, w_between(a, b), 8 * error + 512, 32 * error + 2048);
 }
 
-// The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. With e what s errs by then:
+// The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. A chord across the block may
+// have to be scaled down. With e what s errs by then:
 //   delta     2 e of its square, 1 more of its error's, h^2 units of D2 h^2, 2 of floors
 Course RidgeForm::scaled_course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int32_t square = square_of_way(a, b);
@@ -233,8 +234,8 @@ Course RidgeForm::scaled_course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int64_t delta_error = 2 * root_error + shifted_down(square, 30 - 2 * scale) + 4;
   Arc arc(static_cast<std::int32_t>(shifted_down(a.s, -scale)), static_cast<std::int32_t>(shifted_down(b.s, -scale)),
           shifted_down(bend, -2 * scale));
-  arc.bow >>= scale + root_shift_;
-  return course(a, b, arc, {root_error, delta_error, ((root_error + delta_error) >> scale) + 1});
+  arc.bow = static_cast<std::int32_t>(shifted_down(arc.bow, scale + root_shift_));
+  return course(a, b, arc, {root_error, delta_error, shifted_down(root_error + delta_error, scale) + 1});
 }
 
 // delta_z errs by what z does, times what s changes by, by term_error h^2 of c2 h^2 and h 2^13 of b'; all in 60 bits.
