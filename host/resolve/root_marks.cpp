@@ -201,7 +201,7 @@ Coefficients meeting_lines_of(const Form& p, const Form& q) {
 
 std::vector<Mark> root_marks(const Polynomial& p, std::int64_t first, std::int64_t last) {
   const Polynomial exact = trimmed(p);
-  return marks_of({enclosed(exact), [&exact] { return exact; }}, first, last, {});
+  return marks_of({enclosed(exact), [&exact] { return Polynomial(exact); }}, first, last, {});
 }
 
 std::vector<Mark> root_marks(const IntervalPolynomial& near, const std::function<Polynomial()>& exact,
