@@ -20,7 +20,7 @@ class DiagnosticLog {
   void limit(SourcePosition position, std::string message) {
     add_error({Severity::limit, std::move(position), std::move(message)});
   }
-  void warning(SourcePosition position, std::string message) {
+  void warning(const SourcePosition& position, std::string message) {
     warning(position, [&] { return std::move(message); });
   }
   // Of many the message is not needed.
