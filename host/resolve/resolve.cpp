@@ -4,6 +4,7 @@
 
 #include "host/resolve/exit_sheets.hpp"
 #include "host/resolve/face_cells.hpp"
+#include "host/resolve/hidden_bodies.hpp"
 #include "host/resolve/needless_quartics.hpp"
 
 namespace halfspace {
@@ -90,7 +91,10 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
 ResolvedScene resolve(const IntegerScene& scene, bool all_faces) {
   ResolvedScene result;
   result.arcs.reserve(2 * scene.bodies.size());  // two for a ball; moving an arc is not free
-  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) resolve_body(scene, i, all_faces, result);
+  const std::vector<bool> hidden = all_faces ? std::vector<bool>(scene.bodies.size()) : hidden_bodies(scene);
+  for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
+    if (!hidden[i]) resolve_body(scene, i, all_faces, result);
+  }
   return result;
 }
 

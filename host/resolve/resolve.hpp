@@ -8,7 +8,7 @@
 
 namespace halfspace {
 
-// Faces that no dot can show (exit_sheets.hpp) are left out unless `all_faces`.
+// Faces that no dot can show (exit_sheets.hpp, hidden_bodies.hpp) are left out unless `all_faces`.
 [[nodiscard]] ResolvedScene resolve(const IntegerScene& scene, bool all_faces = false);
 
 }  // namespace halfspace
