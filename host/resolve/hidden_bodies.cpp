@@ -135,7 +135,7 @@ class BodyForm {
 
   [[nodiscard]] BodyDepths over(const DotRectangle& dots) {
     DepthInterval may, must;
-    double clear = no_bound;  // transparent half-spaces, which show no face, hold all the way from the eye to here
+    double clear = no_bound;  // all transparent half-spaces, which show no face, hold from the eye to here
     holes_.clear();
     for (const Form& form : forms_) {
       const DepthBounds bounds = form.form.over(dots);
@@ -143,9 +143,7 @@ class BodyForm {
       if (may.empty()) return {.is_absent = true};
       must = meet(must, bounds.must);
       if (!bounds.hole.empty()) holes_.push_back(bounds.hole);
-      if (!form.is_transparent) continue;
-      const bool holds_at_eye = bounds.must.low == -no_bound && bounds.hole.empty();
-      clear = std::min(clear, holds_at_eye ? bounds.must.high : -no_bound);
+      if (form.is_transparent) clear = std::min(clear, clear_depth(bounds));
     }
     while (leave_hole(must)) {
     }
@@ -164,6 +162,11 @@ class BodyForm {
     const double reach = half + 0x1p-50 * std::abs(middle);
     if (middle - reach > first) first = static_cast<std::int32_t>(std::min(std::ceil(middle - reach), last + 1.0));
     if (middle + reach < last) last = static_cast<std::int32_t>(std::max(std::floor(middle + reach), first - 1.0));
+  }
+  // How far a half-space holds all the way from the eye.
+  static double clear_depth(const DepthBounds& bounds) {
+    if (bounds.must.low != -no_bound || !bounds.hole.empty()) return -no_bound;
+    return bounds.must.high;
   }
   static DepthInterval meet(const DepthInterval& a, const DepthInterval& b) {
     return {std::max(a.low, b.low), std::min(a.high, b.high)};
