@@ -93,7 +93,8 @@ class Users {
 
 class Flattener {
  public:
-  Flattener(const Scene& scene, const FlattenOptions& options) : source_(scene), options_(options) {}
+  Flattener(const Scene& scene, const FlattenOptions& options)
+      : source_(scene), options_(options), width_(options.width), height_(options.height) {}
 
   FlattenResult run() {
     if (check_options() && settle() && fit() && localise()) build();
@@ -274,14 +275,14 @@ class Flattener {
       return h;
     };
     sides.push_back({plane(0, -1 - origin[0]), true});
-    sides.push_back({plane(0, options_.width - origin[0]), false});
+    sides.push_back({plane(0, width_ - origin[0]), false});
     sides.push_back({plane(1, -1 - origin[1]), true});
-    sides.push_back({plane(1, options_.height - origin[1]), false});
+    sides.push_back({plane(1, height_ - origin[1]), false});
     return sides;
   }
 
   [[nodiscard]] bool is_on_page(const Box& box) const {
-    return box.low[0] >= -1 && box.low[1] >= -1 && box.high[0] <= options_.width && box.high[1] <= options_.height;
+    return box.low[0] >= -1 && box.low[1] >= -1 && box.high[0] <= width_ && box.high[1] <= height_;
   }
 
   struct BodyBox {
@@ -306,7 +307,7 @@ class Flattener {
   [[nodiscard]] Region region_in_body(const RealHalfSpace& shape, std::size_t body) const {
     const bool is_plane = shape.kind == HalfSpaceKind::plane;
     const Box box = is_plane ? box_of_plane(shape, body_boxes_[body]) : boxes_[body];
-    Region region = region_of(box, std::max(options_.width, options_.height));
+    Region region = region_of(box, larger(width_, height_));
     if (is_plane) region.target = target_for_plane(shape, local_box(region));
     return region;
   }
@@ -347,10 +348,8 @@ class Flattener {
   [[nodiscard]] std::pair<Real, Real> depths_over_page(const RealHalfSpace& plane, const Box& box) const {
     const auto& c = plane.c;
     if (c[2] == 0) return {box.low[2], box.high[2]};
-    const Real width = options_.width;
-    const Real height = options_.height;
-    const Real middle = -(c[0] * (width - 1) / 2 + c[1] * (height - 1) / 2 + c[3]) / c[2];
-    const Real spread = (magnitude(c[0]) * (width + 1) + magnitude(c[1]) * (height + 1)) / magnitude(2 * c[2]);
+    const Real middle = -(c[0] * (width_ - 1) / 2 + c[1] * (height_ - 1) / 2 + c[3]) / c[2];
+    const Real spread = (magnitude(c[0]) * (width_ + 1) + magnitude(c[1]) * (height_ + 1)) / magnitude(2 * c[2]);
     const auto within = [&box](Real z) { return larger(box.low[2], smaller(z, box.high[2])); };
     return {within(middle - spread), within(middle + spread)};
   }
@@ -374,10 +373,8 @@ class Flattener {
 
   // The page, and twice its size in depth about vrp.
   [[nodiscard]] Box endless_box() const {
-    const Real width = options_.width;
-    const Real height = options_.height;
-    const Real depth = 2 * larger(width, height);
-    return {{-1, -1, vrp_depth() - depth}, {width, height, vrp_depth() + depth}};
+    const Real depth = 2 * larger(width_, height_);
+    return {{-1, -1, vrp_depth() - depth}, {width_, height_, vrp_depth() + depth}};
   }
 
   [[nodiscard]] Real vrp_depth() const {
@@ -385,6 +382,8 @@ class Flattener {
   }
 
   [[nodiscard]] Box with_depth_limited(Box box, Real limit) const {
+    const Real near = times_power_of_two(limit, -1);  // such a box ends within the limit of all its points
+    if (magnitude(box.low[2]) <= near && magnitude(box.high[2]) <= near) return box;
     const Real middle = smaller(larger(vrp_depth(), box.low[2]), box.high[2]);
     box.low[2] = larger(box.low[2], middle - limit);
     box.high[2] = smaller(box.high[2], middle + limit);
@@ -397,8 +396,8 @@ class Flattener {
   }
 
   void mate() {
-    const Vector3 middle{Real(options_.width) / 2, Real(options_.height) / 2, vrp_depth()};
-    SurfaceMating mating(middle, std::max(options_.width, options_.height), half_spaces_.size());
+    const Vector3 middle{width_ / 2, height_ / 2, vrp_depth()};
+    SurfaceMating mating(middle, larger(width_, height_), half_spaces_.size());
     surfaces_.reserve(half_spaces_.size());
     const Users users(placed_);
     for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
@@ -599,15 +598,14 @@ class Flattener {
   void build() {
     result_.scene.bodies.reserve(placed_.bodies.size());
     for (std::size_t i = 0; i < placed_.bodies.size(); ++i) {
-      result_.scene.bodies.push_back(build_body(placed_.bodies[i], boxes_[i]));
+      build_body(placed_.bodies[i], boxes_[i], result_.scene.bodies.emplace_back());
       for (const IntegerHalfSpace& h : result_.scene.bodies.back().half_spaces) {
         result_.scene.bound = std::max(result_.scene.bound, h.bound);
       }
     }
   }
 
-  IntegerBody build_body(PlacedBody& source, const Box& box) {
-    IntegerBody body;
+  void build_body(PlacedBody& source, const Box& box, IntegerBody& body) {
     body.half_spaces.reserve(source.uses.size());
     body.name = std::move(source.name);
     body.position = source.position;
@@ -617,14 +615,19 @@ class Flattener {
     for (const HalfSpaceUse& use : source.uses) {
       const PageHalfSpace& h = half_spaces_[use.half_space];
       const PlacedHalfSpace& statement = placed_.half_spaces[use.half_space];
-      IntegerForm local = seen_from(form_of(h), origin);
       // A leader written the other way round holds where its complement did.
       const bool complement = use.complement != (h.use && h.use->opposite);
+      IntegerHalfSpace& local = body.half_spaces.emplace_back();
+      local.kind = h.shape.kind;
+      copy_seen_from(form_of(h), origin, local.c);
+      local.complement = complement;
+      local.transparent = statement.transparent;
+      local.bound = double_above(h.bound);
+      local.name = statement.name;
+      local.position = statement.position;
       if (options_.boxes && source.uses.size() > 1) {
-        sides.push_back({normalised(to_real(local)), complement, family_of(use.half_space)});
+        sides.push_back({normalised(to_real(local.kind, local.c)), complement, family_of(use.half_space)});
       }
-      body.half_spaces.push_back({local.kind, std::move(local.c), complement, statement.transparent,
-                                  double_above(h.bound), statement.name, statement.position});
     }
     if (!options_.boxes) {
       const Scissor& scissor = page_.scissor;
@@ -637,16 +640,16 @@ class Flattener {
     } else {
       set_box(sides, body);
     }
-    return body;
   }
 
   // Near the middle of the body's part on the page.
   void set_origin(const Box& box, IntegerBody& body) const {
-    const Vector3 last{Real(options_.width - 1), Real(options_.height - 1), power_of_two(62)};
-    const Vector3 first{0, 0, -power_of_two(62)};
+    static const Real furthest = power_of_two(62);
+    const Vector3 last{width_ - 1, height_ - 1, furthest};
+    const Vector3 first{0, 0, -furthest};
     for (std::size_t i = 0; i < 3; ++i) {
-      const Real middle = (larger(box.low[i], first[i]) + smaller(box.high[i], last[i])) / 2;
-      body.origin[i] = static_cast<std::int64_t>(nearest_whole(smaller(larger(middle, first[i]), last[i])));
+      const Real middle = times_power_of_two(larger(box.low[i], first[i]) + smaller(box.high[i], last[i]), -1);
+      body.origin[i] = nearest_word(smaller(larger(middle, first[i]), last[i]));
     }
   }
 
@@ -680,6 +683,7 @@ class Flattener {
 
   const Scene& source_;
   const FlattenOptions& options_;
+  Real width_, height_;
   FlattenResult result_;
   PlacedScene placed_;
   View view_;

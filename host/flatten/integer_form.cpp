@@ -4,18 +4,18 @@
 
 namespace halfspace {
 
-IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
-  IntegerForm result = form;
-  if (origin == form.origin) return result;
-  result.origin = origin;
+void copy_seen_from(const IntegerForm& form, const IntegerPoint& origin, std::array<mpz_class, 10>& c) {
+  for (std::size_t i = 0; i < 10; ++i) {
+    if (sgn(c[i]) != 0 || sgn(form.c[i]) != 0) c[i] = form.c[i];
+  }
+  if (origin == form.origin) return;
   const IntegerPoint shift{origin[0] - form.origin[0], origin[1] - form.origin[1], origin[2] - form.origin[2]};
-  auto& c = result.c;
   const auto add = [](mpz_class& sum, const mpz_class& a, const mpz_class& b) {
     mpz_addmul(sum.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
   };
   if (form.kind == HalfSpaceKind::plane) {
     for (std::size_t i = 0; i < 3; ++i) add(c[3], form.c[i], shift[i]);
-    return result;
+    return;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) add(c[6 + i], form.c[quadric_index[i][j]], shift[j]);
@@ -25,6 +25,11 @@ IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
     add(c[9], form.c[6 + i], shift[i]);
     add(c[9], c[6 + i], shift[i]);
   }
+}
+
+IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin) {
+  IntegerForm result{form.kind, {}, origin};
+  copy_seen_from(form, origin, result.c);
   return result;
 }
 
@@ -46,11 +51,13 @@ void add_twice_product(IntegerForm& quadric, const IntegerLinear& a, const Integ
   }
 }
 
-RealHalfSpace to_real(const IntegerForm& form) {
-  RealHalfSpace result{form.kind, {}};
-  for (std::size_t i = 0; i < coefficient_count(form.kind); ++i) result.c[i] = to_real(form.c[i]);
+RealHalfSpace to_real(HalfSpaceKind kind, const std::array<mpz_class, 10>& c) {
+  RealHalfSpace result{kind, {}};
+  for (std::size_t i = 0; i < coefficient_count(kind); ++i) result.c[i] = to_real(c[i]);
   return result;
 }
+
+RealHalfSpace to_real(const IntegerForm& form) { return to_real(form.kind, form.c); }
 
 Vector4 to_real(const IntegerLinear& form) {
   return {to_real(form[0]), to_real(form[1]), to_real(form[2]), to_real(form[3])};

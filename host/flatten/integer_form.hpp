@@ -21,6 +21,8 @@ struct IntegerForm {
 
 // The same form seen from elsewhere in the dot frame. Exact; the common factor stays what it was.
 [[nodiscard]] IntegerForm seen_from(const IntegerForm& form, const IntegerPoint& origin);
+// Its coefficients alone.
+void copy_seen_from(const IntegerForm& form, const IntegerPoint& origin, std::array<mpz_class, 10>& c);
 
 // Takes its common factor out.
 void make_primitive(IntegerForm& form);
@@ -34,6 +36,7 @@ void add_square(IntegerForm& quadric, const mpz_class& factor, const IntegerLine
 // Adds 2 a b to a quadric.
 void add_twice_product(IntegerForm& quadric, const IntegerLinear& a, const IntegerLinear& b);
 
+[[nodiscard]] RealHalfSpace to_real(HalfSpaceKind kind, const std::array<mpz_class, 10>& c);
 [[nodiscard]] RealHalfSpace to_real(const IntegerForm& form);
 [[nodiscard]] Vector4 to_real(const IntegerLinear& form);
 

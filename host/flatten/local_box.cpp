@@ -25,9 +25,12 @@ LocalBox local_box(const Region& region) {
   const Box& box = region.box;
   LocalBox local;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Real centre = nearest_whole(times_power_of_two(box.low[i] + box.high[i], -1));
+    const Real middle = times_power_of_two(box.low[i] + box.high[i], -1);
+    const Real centre = nearest_whole(middle);
     local.centre[i] = centre;
-    local.half[i] = larger(larger(box.high[i] - centre, centre - box.low[i]), 1);
+    local.half[i] = 1;  // or to the end that is further off
+    if (centre <= middle) local.half[i] = larger(local.half[i], box.high[i] - centre);
+    if (centre >= middle) local.half[i] = larger(local.half[i], centre - box.low[i]);
   }
   local.radius = largest(local.half);
   local.target = region.target;

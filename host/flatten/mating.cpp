@@ -259,7 +259,7 @@ SurfaceMating::Match SurfaceMating::add(const MatingSurface& surface, const Regi
     return *match;
   }
   const std::size_t leader = leaders_.size();
-  leaders_.push_back({own, std::nullopt, region, region, {}, {}});
+  leaders_.emplace_back(own, region);
   enlist(own, bodies, leaders_.back());
   add_to_cell(cells, leader);
   return {leader, false, 0};

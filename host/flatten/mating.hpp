@@ -73,6 +73,8 @@ class SurfaceMating {
   };
   using FamilyMember = std::pair<std::size_t, Real>;
   struct Leader {
+    Leader(const MatingSurface& own, const Region& region) : surface(own), first(region), all(region) {}
+
     MatingSurface surface;
     std::optional<Position> position;  // where it was asked for
     Region first;                      // of its own bodies

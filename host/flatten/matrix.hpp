@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -51,8 +50,13 @@ inline constexpr Matrix4 identity_matrix{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 
 inline Matrix4 product(const Matrix4& a, const Matrix4& b) {
   Matrix4 result{};
   for (std::size_t i = 0; i < 4; ++i) {
+    bool is_begun = false;
     for (std::size_t k = 0; k < 4; ++k) {
       if (is_zero(a[i][k])) continue;
+      if (!std::exchange(is_begun, true) && a[i][k].is_one()) {
+        result[i] = b[k];
+        continue;
+      }
       for (std::size_t j = 0; j < 4; ++j) add_product(result[i][j], a[i][k], b[k][j]);
     }
   }
@@ -108,31 +112,20 @@ inline RealHalfSpace transformed(const RealHalfSpace& h, const Matrix4& inverse)
     }
     return result;
   }
-  // Most entries are 0: bits k tell which of a row are not.
-  std::array<unsigned, 4> in_inverse{};
-  std::array<unsigned, 4> in_quadric{};
-  unsigned coefficients = 0;
-  for (std::size_t i = 0; i < 10; ++i) coefficients |= (is_zero(h.c[i]) ? 0U : 1U) << i;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      in_inverse[i] |= (is_zero(inverse[i][k]) ? 0U : 1U) << k;
-      in_quadric[i] |= (coefficients >> quadric_index[i][k] & 1U) << k;
-    }
-  }
-  const auto for_each = [](unsigned set, const auto& act) {
-    for (; set != 0; set &= set - 1) act(static_cast<std::size_t>(std::countr_zero(set)));
-  };
   for (std::size_t i = 0; i < 4; ++i) {
     Vector4 half{};  // a row of T^-1 Q
-    unsigned in_half = 0;
-    for_each(in_inverse[i], [&](std::size_t k) {
-      in_half |= in_quadric[k];
-      for_each(in_quadric[k],
-               [&](std::size_t j) { add_nonzero_product(half[j], inverse[i][k], h.c[quadric_index[k][j]]); });
-    });
-    for (std::size_t j = i; j < 4; ++j) {
-      Real& sum = result.c[quadric_index[i][j]];
-      for_each(in_half & in_inverse[j], [&](std::size_t k) { add_product(sum, half[k], inverse[j][k]); });
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(inverse[i][k])) continue;
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Real& c = h.c[quadric_index[k][j]];
+        if (!is_zero(c)) add_nonzero_product(half[j], inverse[i][k], c);
+      }
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_zero(half[k])) continue;
+      for (std::size_t j = i; j < 4; ++j) {
+        if (!is_zero(inverse[j][k])) add_nonzero_product(result.c[quadric_index[i][j]], half[k], inverse[j][k]);
+      }
     }
   }
   return result;

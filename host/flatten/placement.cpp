@@ -21,7 +21,8 @@ class BodyCensus {
   }
 
   [[nodiscard]] const Group& definition(const std::string& id) const { return *definitions_.at(id); }
-  [[nodiscard]] bool is_empty(const std::string& id) const { return counts_.at(&definition(id)) == 0; }
+  [[nodiscard]] bool is_empty(const std::string& id) const { return count_of(definition(id)) == 0; }
+  [[nodiscard]] std::uint64_t count_of(const Group& group) const { return counts_.at(&group); }
 
  private:
   std::uint64_t count(const Group& group, int depth) {
@@ -84,8 +85,11 @@ RealHalfSpace real_half_space(HalfSpaceKind kind, const std::array<Number, n>& c
   return normalised(h);
 }
 
-// Keeps the coefficients of a group's statements, whose decimals are read once for all copies.
-using GroupShapes = std::unordered_map<std::string, PlacedHalfSpace>;
+// What a group's statements say, read once for all copies.
+struct GroupShapes {
+  std::vector<PlacedHalfSpace> half_spaces;
+  std::vector<std::vector<HalfSpaceUse>> uses;  // of `half_spaces`, by the bodies in their order
+};
 
 // A quadric without squares is a plane.
 RealHalfSpace plane_of(const RealHalfSpace& quadric) {
@@ -95,19 +99,30 @@ RealHalfSpace plane_of(const RealHalfSpace& quadric) {
 
 GroupShapes shapes_of(const Group& group) {
   GroupShapes shapes;
+  std::unordered_map<std::string, std::size_t> indices;
+  const auto append = [&](const PlacedHalfSpace& h) {
+    indices[h.name] = shapes.half_spaces.size();
+    shapes.half_spaces.push_back(h);
+  };
   for (const PlaneStatement& s : group.planes) {
-    shapes[s.id] = {real_half_space(HalfSpaceKind::plane, s.coefficients), 0, s.transparent, s.id, s.position};
+    append({real_half_space(HalfSpaceKind::plane, s.coefficients), 0, s.transparent, s.id, s.position});
   }
   const std::vector<Kinship> kinships = kinships_of(group.quadrics);
   for (std::size_t i = 0; i < kinships.size(); ++i) {
     const QuadricStatement& s = group.quadrics[i];
     const RealHalfSpace shape = real_half_space(HalfSpaceKind::quadric, s.coefficients);
     if (kinships[i].squares == 0) {
-      shapes[s.id] = {plane_of(shape), 0, s.transparent, s.id, s.position};
+      append({plane_of(shape), 0, s.transparent, s.id, s.position});
       continue;
     }
-    shapes[s.id] = {shape, 0, s.transparent, s.id, s.position, kinships[i]};
-    shapes[s.id].kin.ratio = *std::find_if(shape.c.begin(), shape.c.end(), [](Real v) { return v != 0; });
+    append({shape, 0, s.transparent, s.id, s.position, kinships[i]});
+    shapes.half_spaces.back().kin.ratio = *std::find_if(shape.c.begin(), shape.c.end(), [](Real v) { return v != 0; });
+  }
+  for (const Placement& placement : group.placements) {
+    const auto* const body = std::get_if<BodyStatement>(&placement);
+    if (body == nullptr) continue;
+    auto& uses = shapes.uses.emplace_back();
+    for (const HalfSpaceReference& h : body->half_spaces) uses.push_back({indices.at(h.id), h.complement});
   }
   return shapes;
 }
@@ -120,6 +135,11 @@ using HeapMatrix = std::unique_ptr<const Matrix4>;
 }
 // nullptr: there is none.
 template <class Transforms>
+[[gnu::noinline]] HeapMatrix heap_inverse_below(const Matrix4& parent, const Transforms& transforms) {
+  const auto inverse = inverse_of(transforms);
+  return inverse ? std::make_unique<const Matrix4>(product(parent, *inverse)) : nullptr;
+}
+template <class Transforms>
 [[gnu::noinline]] HeapMatrix heap_inverse(const Transforms& transforms) {
   const auto inverse = inverse_of(transforms);
   return inverse ? std::make_unique<const Matrix4>(*inverse) : nullptr;
@@ -129,33 +149,40 @@ class Walk {
  public:
   Walk(const BodyCensus& census, Diagnostics& diagnostics) : census_(census), diagnostics_(diagnostics) {}
 
+  PlacedScene run(const Group& top) {
+    result_.bodies.reserve(census_.count_of(top));
+    place(top, identity_matrix, "");
+    return std::move(result_);
+  }
+
+ private:
   void place(const Group& group, const Matrix4& inverse, const std::string& path) {
     auto shapes = shapes_.find(&group);
     if (shapes == shapes_.end()) shapes = shapes_.emplace(&group, shapes_of(group)).first;
-    PlacedGroup placed{group, shapes->second, inverse, path, {}, {}};
+    PlacedGroup placed{shapes->second, inverse, path, placed_.size(), 0, {}};
+    placed_.resize(placed_.size() + placed.shapes.half_spaces.size(), not_placed);
     for (const Placement& placement : group.placements) {
       std::visit([&](const auto& p) { place_one(p, placed); }, placement);
     }
+    placed_.resize(placed.first);
   }
 
-  PlacedScene take() { return std::move(result_); }
-
- private:
   struct PlacedGroup {
-    const Group& group;
     const GroupShapes& shapes;
     const Matrix4& inverse;
     const std::string& path;
-    std::unordered_map<std::string, std::size_t> placed;  // half-spaces that a body has used, by id
+    std::size_t first = 0;   // of its half-spaces in placed_
+    std::size_t bodies = 0;  // that were placed
     std::optional<std::size_t> place;
   };
 
   void place_one(const BodyStatement& body, PlacedGroup& group) {
-    PlacedBody placed{group.path + body.id, body.position, {}, &body};
-    for (const HalfSpaceReference& reference : body.half_spaces) {
-      placed.uses.push_back({half_space_of(reference, group), reference.complement});
-    }
-    result_.bodies.push_back(std::move(placed));
+    PlacedBody& placed = result_.bodies.emplace_back();
+    placed.name = group.path + body.id;
+    placed.position = body.position;
+    placed.statement = &body;
+    placed.uses = group.shapes.uses[group.bodies++];
+    for (HalfSpaceUse& use : placed.uses) use.half_space = half_space_of(use.half_space, group);
   }
 
   // Of the group that is being placed, which needs one as soon as a body uses a half-space.
@@ -167,21 +194,21 @@ class Walk {
     return *group.place;
   }
 
-  std::size_t half_space_of(const HalfSpaceReference& reference, PlacedGroup& group) {
-    const auto [entry, is_new] = group.placed.emplace(reference.id, result_.half_spaces.size());
-    if (is_new) {
-      PlacedHalfSpace h = group.shapes.at(reference.id);
-      h.place = place_of(group);
-      result_.half_spaces.push_back(std::move(h));
+  std::size_t half_space_of(std::size_t shape, PlacedGroup& group) {
+    std::size_t& placed = placed_[group.first + shape];
+    if (placed == not_placed) {
+      placed = result_.half_spaces.size();
+      result_.half_spaces.push_back(group.shapes.half_spaces[shape]);
+      result_.half_spaces.back().place = place_of(group);
     }
-    return entry->second;
+    return placed;
   }
 
   void place_one(const InstanceStatement& instance, PlacedGroup& group) {
     if (census_.is_empty(instance.definition)) return;
-    const HeapMatrix own = heap_inverse(instance.transforms);
-    if (!own) return report_flat(instance.id, instance.position);
-    place(census_.definition(instance.definition), *heap_product(group.inverse, *own), group.path + instance.id + "/");
+    const HeapMatrix inverse = heap_inverse_below(group.inverse, instance.transforms);
+    if (!inverse) return report_flat(instance.id, instance.position);
+    place(census_.definition(instance.definition), *inverse, group.path + instance.id + "/");
   }
 
   // (init delta^k P)^-1 = P^-1 (delta^-1)^k init^-1 for the parent's P.
@@ -203,10 +230,13 @@ class Walk {
         {Severity::error, position, "'" + id + "' scales by 0, which flattens its solids; use a factor other than 0"});
   }
 
+  static constexpr std::size_t not_placed = static_cast<std::size_t>(-1);
+
   const BodyCensus& census_;
   Diagnostics& diagnostics_;
   PlacedScene result_;
   std::unordered_map<const Group*, GroupShapes> shapes_;
+  std::vector<std::size_t> placed_;  // half-spaces of the groups that are being placed, innermost last
 };
 
 }  // namespace
@@ -215,9 +245,7 @@ PlacedScene place_bodies(const Scene& scene, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   const BodyCensus census(scene, diagnostics);
   if (diagnostics.size() != before) return {};
-  Walk walk(census, diagnostics);
-  walk.place(scene.top, identity_matrix, "");
-  return walk.take();
+  return Walk(census, diagnostics).run(scene.top);
 }
 
 }  // namespace halfspace

@@ -1,7 +1,10 @@
 #include "host/flatten/quantise.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "host/flatten/family.hpp"
@@ -118,78 +121,93 @@ std::optional<Quantised> quantise_plane(const RealHalfSpace& h, const LocalBox& 
   return result;
 }
 
-// A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2.
+// A sphere and what becomes of it: an integer centre in 1/scale dot and an integer squared radius, |scale x - m|^2 = r2. The scale is a power
+// of two, so a rounding alone is what is off, which doubles hold to 2^-50 of it.
 class RoundedSphere {
  public:
   RoundedSphere(const Vector3& centre, Real square, Real target)
       : centre_(centre),
         square_(square),
-        target_(target),
         near_square_(static_cast<double>(square)),
-        near_target_(static_cast<double>(target)) {
-    for (std::size_t i = 0; i < 3; ++i) near_centre_[i] = static_cast<double>(centre[i]);
-  }
+        near_radius_(near_square_ > 0 ? std::sqrt(near_square_) : 0),
+        near_target_(static_cast<double>(target)) {}
 
   [[nodiscard]] bool holds(int bits) const {
-    if (const auto certain = holds_in_doubles(std::ldexp(1, bits))) return *certain;
-    const Real r2 = squared_radius(bits);
-    return (square_ > 0) == (r2 > 0) && (square_ < 0) == (r2 < 0) && bound(bits) <= target_;
+    const double centre_off = centre_off_by(bits);
+    return std::isfinite(centre_off) && keeps_sign(bits) && centre_off + radius_off_by(bits) <= near_target_;
   }
 
+  // 2^-40 of it is for the doubles, the rest for fractions that they leave out.
   [[nodiscard]] Real bound(int bits) const {
-    Real bound = length(off_by(bits));
-    if (square_ > 0) {
-      bound += magnitude(times_power_of_two(square_root(squared_radius(bits)), -bits) - square_root(square_));
-    }
-    return bound;
+    return (centre_off_by(bits) + radius_off_by(bits)) * (1 + 0x1p-40) + double_power_of_two(-60 - bits);
   }
 
-  [[nodiscard]] IntegerForm form(int bits) const {
-    IntegerForm result{HalfSpaceKind::quadric, {}};
+  void write(int bits, IntegerForm& form) const {
+    if (writes_words(bits, form)) return;
     const auto shift = static_cast<mp_bitcnt_t>(bits);
-    mpz_class& constant = result.c[9];
+    mpz_class& constant = form.c[9];
     constant = round_to_integer(-times_power_of_two(square_, 2 * bits));
     for (std::size_t i = 0; i < 3; ++i) {
       const mpz_class m = round_to_integer(-times_power_of_two(centre_[i], bits));
-      mpz_setbit(result.c[i].get_mpz_t(), 2 * shift);
-      mpz_mul_2exp(result.c[6 + i].get_mpz_t(), m.get_mpz_t(), shift);
+      mpz_setbit(form.c[i].get_mpz_t(), 2 * shift);
+      mpz_mul_2exp(form.c[6 + i].get_mpz_t(), m.get_mpz_t(), shift);
       mpz_addmul(constant.get_mpz_t(), m.get_mpz_t(), m.get_mpz_t());
     }
-    return result;
   }
 
  private:
-  // The scale is a power of two, so only the centre's coordinates are off, by 2^-53 of them each, and sums. An r2 of 1 or more is off by 1/2
-  // at most, and then the radius by less than that over r scale^2.
-  [[nodiscard]] std::optional<bool> holds_in_doubles(double scale) const {
-    if (!(near_square_ * scale * scale >= 2)) return std::nullopt;
-    double sum_of_squares = 0;
-    double slack = near_target_ * 0x1p-40;
-    for (const double c : near_centre_) {
-      const double off = std::rint(c * scale) / scale - c;
-      sum_of_squares += off * off;
-      slack += std::abs(c) * 0x1p-50;
+  // The same without its common factor, 2^twos, where all fit in words: m and scale in 30 bits, r2 in 61.
+  [[nodiscard]] bool writes_words(int bits, IntegerForm& form) const {
+    constexpr int most_bits = 30;
+    if (bits > most_bits || largest(centre_) >= power_of_two(most_bits - bits) ||
+        magnitude(square_) >= power_of_two(2 * (most_bits - bits) + 1)) {
+      return false;
     }
-    const double off = std::sqrt(sum_of_squares);
-    if (off > near_target_ + slack) return false;
-    if (off + 1 / (std::sqrt(near_square_) * scale * scale) + slack < near_target_) return true;
-    return std::nullopt;
+    std::array<std::int64_t, 3> linear{};
+    std::int64_t constant = -nearest_word(times_power_of_two(square_, 2 * bits));
+    int twos = 2 * bits;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t m = -nearest_word(times_power_of_two(centre_[i], bits));
+      linear[i] = m * (std::int64_t{1} << bits);
+      constant += m * m;
+      twos = std::min(twos, std::countr_zero(static_cast<std::uint64_t>(linear[i])));
+    }
+    twos = std::min(twos, std::countr_zero(static_cast<std::uint64_t>(constant)));
+    for (std::size_t i = 0; i < 3; ++i) {
+      form.c[i] = std::int64_t{1} << (2 * bits - twos);
+      if (linear[i] != 0) form.c[6 + i] = linear[i] >> twos;
+    }
+    if (constant != 0) form.c[9] = constant >> twos;
+    return true;
   }
 
-  [[nodiscard]] Real squared_radius(int bits) const { return nearest_whole(times_power_of_two(square_, 2 * bits)); }
-  [[nodiscard]] Vector3 off_by(int bits) const {
-    Vector3 off{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Real whole = nearest_whole(times_power_of_two(centre_[i], bits));
-      off[i] = times_power_of_two(whole, -bits) - centre_[i];
+  // Infinite where it is above the target.
+  [[nodiscard]] double centre_off_by(int bits) const {
+    const double most = near_target_ * double_power_of_two(bits);
+    double sum_of_squares = 0;
+    for (const Real c : centre_) {
+      const double off = rounding_of(c, bits);
+      sum_of_squares += off * off;
+      if (sum_of_squares > most * most) return std::numeric_limits<double>::infinity();
     }
-    return off;
+    return std::sqrt(sum_of_squares) * double_power_of_two(-bits);
+  }
+
+  // Of two radii by their squares: a - b = (a^2 - b^2) / (a + b).
+  [[nodiscard]] double radius_off_by(int bits) const {
+    if (near_radius_ == 0) return 0;
+    const double off = rounding_of(square_, 2 * bits) * double_power_of_two(-2 * bits);
+    return std::abs(off) / (std::sqrt(near_square_ + off) + near_radius_);
+  }
+
+  // r2 is 0 only where the square is.
+  [[nodiscard]] bool keeps_sign(int bits) const {
+    return is_zero(square_) || magnitude(square_) >= power_of_two(-2 * bits - 1);
   }
 
   Vector3 centre_;
-  Real square_, target_;
-  std::array<double, 3> near_centre_{};
-  double near_square_, near_target_;
+  Real square_;
+  double near_square_, near_radius_, near_target_;
 };
 
 std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const LocalBox& box) {
@@ -201,11 +219,14 @@ std::optional<Quantised> quantise_sphere(const ReducedQuadric& reduced, const Lo
   const RoundedSphere sphere(centre, -reduced.constant() / weight, box.target);
   const auto bits = with_least_bits(
       0, scale_limit, [&](int trial) { return sphere.holds(trial) ? std::optional(trial) : std::nullopt; });
-  if (!bits) return std::nullopt;
-  std::optional<Quantised> result(std::in_place);
-  result->bound = sphere.bound(*bits);
-  result->form = sphere.form(*bits);
-  if (weight < 0) negate(result->form);
+  std::optional<Quantised> result;
+  if (bits) {
+    result.emplace();
+    result->form.kind = HalfSpaceKind::quadric;
+    result->bound = sphere.bound(*bits);
+    sphere.write(*bits, result->form);
+    if (weight < 0) negate(result->form);
+  }
   return result;
 }
 
@@ -285,8 +306,7 @@ std::optional<Quantised> quantise_central(const RealHalfSpace& h, const ReducedQ
 bool is_sphere(const ReducedQuadric& reduced) {
   if (reduced.count < 3) return false;
   const auto& [a, b, c] = reduced.squares;
-  const Real near = times_power_of_two(magnitude(a.weight), -zero_bits);
-  return magnitude(a.weight - b.weight) <= near && magnitude(a.weight - c.weight) <= near;
+  return agree(a.weight, b.weight) && agree(a.weight, c.weight);
 }
 
 // No second-order part: 2 (Gx + Hy + Jz) + K, of which the plane is (G, H, J, K/2).
@@ -311,17 +331,23 @@ std::optional<Quantised> quantise_quadric(const RealHalfSpace& h, const LocalBox
   return quantise_squares(h, alone, box, least_bits);
 }
 
+bool is_zero(const RealHalfSpace& h) {
+  return std::all_of(h.c.begin(), h.c.end(), [](Real v) { return is_zero(v); });
+}
+
 // In the box's frame.
 std::optional<Quantised> quantise_locally(const RealHalfSpace& h, const LocalBox& box, int least_bits) {
+  if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
   if (auto exact = take_exactly(h, box)) return exact;
   return h.kind == HalfSpaceKind::plane ? quantise_plane(h, box) : quantise_quadric(h, box, least_bits);
 }
 
-bool is_zero(const RealHalfSpace& h) {
-  for (const Real v : h.c) {
-    if (v != 0) return false;
-  }
-  return true;
+// None where the box lies too far away for its size, or nothing finite is left.
+std::optional<RealHalfSpace> moved_to(const LocalBox& box, const RealHalfSpace& half_space, const Matrix4& inverse) {
+  const auto here = inverse_from(box, inverse);
+  if (!here) return std::nullopt;
+  const RealHalfSpace h = normalised(transformed(half_space, *here));
+  return finite(h) ? std::optional(h) : std::nullopt;
 }
 
 }  // namespace
@@ -329,15 +355,12 @@ bool is_zero(const RealHalfSpace& h) {
 std::optional<Quantised> quantise(const RealHalfSpace& half_space, const Matrix4& inverse, const Region& region,
                                   int least_bits) {
   const LocalBox local = local_box(region);
-  const auto here = inverse_from(local, inverse);
-  if (!here) return std::nullopt;
-  const RealHalfSpace h = normalised(transformed(half_space, *here));
-  if (!finite(h)) return std::nullopt;
-  if (is_zero(h)) return Quantised{{h.kind, {}}, 0};
-  auto result = quantise_locally(h, local, least_bits);
-  if (!result) return std::nullopt;
-  make_primitive(result->form);
-  result->form.origin = round_to_integers(local.centre);
+  const auto here = moved_to(local, half_space, inverse);
+  std::optional<Quantised> result = here ? quantise_locally(*here, local, least_bits) : std::nullopt;
+  if (result) {
+    make_primitive(result->form);
+    for (std::size_t i = 0; i < 3; ++i) result->form.origin[i] = round_to_integer(local.centre[i]);
+  }
   return result;
 }
 

@@ -18,20 +18,21 @@ Bits128 multiple(Bits128 v, std::uint64_t times) {
 }
 
 // The least convergent denominator d, up to `limit` <= 2^32, that takes d v to within d * tolerance of an integer; 0 if none. Fractions of v
-// count to 2^-120, what Euclid leaves of them is by how much d v misses an integer.
+// count to 2^-120, what Euclid leaves of them is by how much d v misses an integer: 2^68 at most where it is tolerated, as d times its
+// tolerance is, while the one before is 2^119 / d or more, at least 2^19 times as much.
 Real denominator_of(Real v, Real limit, Real tolerance) {
   constexpr int unit_bits = 120;
   const auto most = static_cast<std::uint64_t>(limit);
-  const Bits128 tolerated = whole_bits(tolerance * power_of_two(unit_bits));  // 2^68 at most
+  const Bits128 tolerated = whole_bits(times_power_of_two(tolerance, unit_bits));  // 2^68 at most
   Bits128 whole = Bits128{1} << unit_bits;
-  Bits128 rest = whole_bits((v - floor_of(v)) * power_of_two(unit_bits));
+  Bits128 rest = whole_bits(times_power_of_two(v - floor_of(v), unit_bits));
   std::uint64_t before = 0;
   std::uint64_t current = 1;
   while (current <= most) {
-    if (rest <= current * tolerated) return Real(current);
     std::uint64_t quotient = 0;
     for (; whole >= rest && quotient < 8; ++quotient) whole -= rest;  // there are seldom more
     if (whole >= rest) {
+      if (rest <= current * tolerated) return Real(current);
       const Bits128 more = whole / rest;
       if (more > most) return 0;
       quotient += static_cast<std::uint64_t>(more);
@@ -52,8 +53,10 @@ std::optional<std::vector<mpz_class>> small_proportions(std::span<const Real> va
   const Real limit = power_of_two(bits);
   const Real tolerance = power_of_two(-closeness_bits);
   Real common = 1;
+  const auto times_common = [&common](Real v) { return common.is_one() ? v : v * common; };
   for (const Real v : values) {
-    const Real factor = denominator_of(v / most * common, limit / common, common * tolerance);
+    if (is_zero(v) || v.size_bits() == most.size_bits()) continue;
+    const Real factor = denominator_of(times_common(v / most), limit / common, times_common(tolerance));
     if (factor == 0) return std::nullopt;
     common *= factor;
   }

@@ -163,40 +163,38 @@ bool are_mild(Real a, Real b) {
   return Real::of(larger.native() + smaller.native());
 }
 
-// Up to 34 digits and 10^48 are whole numbers that 113 bits hold, the powers as 5^n 2^n: one product or quotient of them is rounded once.
-constexpr std::size_t most_digits = 34, most_power = 48;
+// Up to 34 digits, and 10^34, are whole numbers that 113 bits hold: a quotient of them is rounded once.
+constexpr std::size_t most_digits = 34;
+constexpr std::size_t digits_of_a_word = 19;
 
-Real power_of_ten(int n) {
+Real power_of_ten(std::size_t n) {
   Bits128 five = 1;
-  for (int i = 0; i < n; ++i) five *= 5;
-  return composed(five, n, false);
+  for (std::size_t i = 0; i < n; ++i) five *= 5;
+  return composed(five, static_cast<long>(n), false);
 }
 
-// None: too long for that.
+// Whole holds as many digits as the text has characters. None: it has an exponent.
+template <class Whole>
 std::optional<Real> short_decimal(const std::string& text) {
   static const auto powers = [] {
-    std::array<Real, most_power + 1> all;
-    for (std::size_t n = 0; n <= most_power; ++n) all[n] = power_of_ten(static_cast<int>(n));
+    std::array<Real, most_digits + 1> all;
+    for (std::size_t n = 0; n <= most_digits; ++n) all[n] = power_of_ten(n);
     return all;
   }();
-  Bits128 digits = 0;
-  std::size_t count = 0;  // of the digits, from the first that is not 0
-  std::size_t power = 0;
-  std::size_t step = 0;  // 1 from the point on
-  for (const char c : text) {
-    const unsigned digit = static_cast<unsigned char>(c) - unsigned{'0'};
+  Whole digits = 0;
+  std::size_t end_of_whole = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned digit = static_cast<unsigned char>(text[i]) - unsigned{'0'};
     if (digit <= 9) {
       digits = digits * 10 + digit;
-      count += digits != 0 ? 1 : 0;
-      power += step;
-      if (count > most_digits || power > most_power) return std::nullopt;
-    } else if (c == '.') {
-      step = 1;
-    } else if (c != '-') {
+    } else if (text[i] == '.') {
+      end_of_whole = i + 1;
+    } else if (text[i] != '-') {
       return std::nullopt;
     }
   }
   const Real whole = composed(digits, 0, text.front() == '-' && digits != 0);
+  const std::size_t power = text.size() - end_of_whole;
   return power == 0 ? whole : whole / powers[power];
 }
 
@@ -337,7 +335,11 @@ Real square_root(Real v) {
 }
 
 Real decimal_to_real(const std::string& text) {
-  if (const auto quick = short_decimal(text)) return *quick;
+  if (text.size() <= most_digits) {
+    const bool is_in_a_word = text.size() <= digits_of_a_word;
+    const auto quick = is_in_a_word ? short_decimal<std::uint64_t>(text) : short_decimal<Bits128>(text);
+    if (quick) return *quick;
+  }
   Mpfr value(fraction_bits + 1);
   mpfr_set_str(value.get(), text.c_str(), 10, MPFR_RNDN);
   return value.to_real();
@@ -352,9 +354,18 @@ mpz_class round_to_integer(Real v) {
 }
 
 Real nearest_whole(Real v) {
+  const int fraction = exponent_bias + fraction_bits - v.exponent_bits();  // bits of it
+  if (fraction <= 0) return v;
+  if (fraction > fraction_bits) return fraction == fraction_bits + 1 ? Real(v.has_sign() ? -1 : 1) : 0;
+  const Bits128 half = Bits128{1} << (fraction - 1);
+  return Real::of_bits((v.bits() + half) & -(half << 1));  // a carry out of the mantissa raises the exponent
+}
+
+std::int64_t nearest_word(Real v) {
   const Parts parts = parts_of(v);
   if (parts.mantissa == 0) return 0;
-  return parts.exponent < 0 ? composed(nearest_whole_of(parts), 0, parts.negative) : v;
+  const auto whole = static_cast<std::int64_t>(nearest_whole_of(parts));
+  return parts.negative ? -whole : whole;
 }
 
 // The fraction as 64 bits is, in two's complement, what is above the nearest whole.

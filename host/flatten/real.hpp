@@ -64,7 +64,7 @@ class Real {
   [[nodiscard]] constexpr Bits128 bits() const { return Bits128{words_.high} << 64 | words_.low; }
   [[nodiscard]] constexpr Bits128 size_bits() const { return Bits128{words_.high & ~sign_bit} << 64 | words_.low; }
   [[nodiscard]] constexpr bool has_sign() const { return words_.high >> 63 != 0; }
-  [[nodiscard]] constexpr bool is_zero() const { return ((words_.high & ~sign_bit) | words_.low) == 0; }
+  [[nodiscard]] constexpr bool is_zero() const { return (words_.high << 1 | words_.low) == 0; }
   [[nodiscard]] constexpr bool is_one() const { return words_.low == 0 && words_.high == std::uint64_t{0x3fff} << 48; }
   [[nodiscard]] constexpr int exponent_bits() const { return static_cast<int>(words_.high >> 48) & 0x7fff; }
   [[nodiscard]] constexpr bool is_nan() const {
@@ -95,7 +95,7 @@ class Real {
     constexpr int bias_apart = 16383 - 1023;
     constexpr std::uint64_t half = std::uint64_t{1} << 63;
     const int exponent = exponent_bits() - bias_apart;
-    if (exponent < 1 || exponent > 2046) return static_cast<double>(native());
+    if (exponent < 1 || exponent > 2046) return is_zero() ? 0 : static_cast<double>(native());
     const std::uint64_t fraction = (words_.high << 16 >> 12) | words_.low >> 60;
     const std::uint64_t up = words_.low << 4 > half - (fraction & 1U) ? 1 : 0;
     return std::bit_cast<double>((static_cast<std::uint64_t>(exponent) << 52 | fraction) + up + (words_.high & half));
@@ -121,7 +121,10 @@ inline Real larger(Real a, Real b) { return a < b ? b : a; }
 inline Real smaller(Real a, Real b) { return b < a ? b : a; }
 inline bool finite(Real v) { return v.exponent_bits() != 0x7fff; }
 
-[[nodiscard]] Real power_of_two(int exponent);  // -16382 <= exponent <= 16383
+[[nodiscard]] Real power_of_two(int exponent);                      // -16382 <= exponent <= 16383
+[[nodiscard]] constexpr double double_power_of_two(int exponent) {  // -1022 <= exponent <= 1023
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
 // v 2^exponent, for which the same holds.
 [[nodiscard]] inline Real times_power_of_two(Real v, int exponent) {
   const int biased = v.exponent_bits();
@@ -135,6 +138,7 @@ inline bool finite(Real v) { return v.exponent_bits() != 0x7fff; }
 [[nodiscard]] Real to_real(const mpz_class& v);
 [[nodiscard]] mpz_class round_to_integer(Real v);    // finite; ties away from zero
 [[nodiscard]] Real nearest_whole(Real v);            // the same as a Real
+[[nodiscard]] std::int64_t nearest_word(Real v);     // the same as a word; no less than -2^62, no more than 2^62
 [[nodiscard]] double rounding_of(Real v, int bits);  // nearest_whole(w) - w for w = v 2^bits, to within 2^-53
 [[nodiscard]] inline Real floor_of(Real v) {
   const Real near = nearest_whole(v);

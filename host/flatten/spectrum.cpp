@@ -30,8 +30,6 @@ void rotate(Matrix3& a, std::array<Vector3, 3>& vectors, std::size_t p, std::siz
   }
 }
 
-bool agree(Real a, Real b) { return magnitude(a - b) <= times_power_of_two(magnitude(a), -zero_bits); }
-
 // Two equal values leave their vectors free: one of them takes a coordinate of 0, so that what lies along an axis of
 // the page is rounded to integers that do. Three equal ones take the axes.
 void align_equal_values(Spectrum& spectrum) {
@@ -61,6 +59,12 @@ Spectrum spectrum_of(const RealHalfSpace& quadric) {
   }
   Spectrum result;
   result.vectors = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto& q = quadric.c;
+  if (is_zero(q[3]) && is_zero(q[4]) && is_zero(q[5])) {
+    result.values = {q[0], q[1], q[2]};
+    align_equal_values(result);
+    return result;
+  }
   const Real negligible = times_power_of_two(larger(largest(a[0]), larger(largest(a[1]), largest(a[2]))), -125);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     if (magnitude(a[0][1]) + magnitude(a[0][2]) + magnitude(a[1][2]) <= negligible) break;
@@ -79,7 +83,12 @@ ReducedQuadric reduce(const RealHalfSpace& quadric, Real radius) {
   Real constant = quadric.c[9];
   const Real square = radius * radius;
   Real scale = larger(magnitude(constant), times_power_of_two(largest(gradient) * radius, 1));
-  scale = larger(scale, largest(spectrum.values) * square);
+  Vector3 bends{};  // sizes of the squares' parts
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_known = i > 0 && spectrum.values[i].bits() == spectrum.values[i - 1].bits();
+    bends[i] = is_known ? bends[i - 1] : magnitude(spectrum.values[i]) * square;
+    scale = larger(scale, bends[i]);
+  }
 
   ReducedQuadric result;
   Vector3 normal{};
@@ -87,7 +96,7 @@ ReducedQuadric reduce(const RealHalfSpace& quadric, Real radius) {
     const Vector3& axis = spectrum.vectors[i];
     const Real along = dot(axis, gradient);
     const Real weight = spectrum.values[i];
-    if (magnitude(weight) * square <= times_power_of_two(scale, -zero_bits)) {
+    if (bends[i] <= times_power_of_two(scale, -zero_bits)) {
       normal = sum(normal, scaled(axis, 2 * along));
       continue;
     }

@@ -44,6 +44,10 @@ struct ReducedQuadric {
 // there moves the surface by at most 2^-36 of `radius` (a double root is the worst case: the square root of it).
 inline constexpr int zero_bits = 73;
 
+[[nodiscard]] inline bool agree(Real a, Real b) {
+  return a.bits() == b.bits() || magnitude(a - b) <= times_power_of_two(magnitude(a), -zero_bits);
+}
+
 // `radius` is the reach of the body that uses the quadric, from the frame's origin.
 [[nodiscard]] ReducedQuadric reduce(const RealHalfSpace& quadric, Real radius);
 
