@@ -10,8 +10,7 @@ namespace {
 
 constexpr int form_bits = 60;
 constexpr int weight_bits = 30;
-constexpr int most_weight_bits = 10;                        // with 24 of a place, and a quarter of one, 62
-constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
+constexpr int most_weight_bits = 10;  // with 24 of a place, and a quarter of one, 62
 
 // floor(a t 2^-32)
 std::int64_t product(std::int64_t a, std::uint32_t t) {
@@ -65,9 +64,20 @@ std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& va
   std::int64_t error = 0;
   for (std::size_t i = 0; i < N; ++i) {
     out[i] = values[i].fixed(bits);
-    error += std::min(values[i].error_of(bits), most_error);
+    error += std::min(values[i].error_of(bits), CrossArc::most_error);
   }
   return error;
+}
+
+// A form's first half, in place; returns the other [de Casteljau].
+template <std::size_t N>
+std::array<std::int64_t, N> halved(std::array<std::int64_t, N>& c) {
+  std::array<std::int64_t, N> right = c;
+  for (std::size_t i = 1; i < N; ++i) {
+    for (std::size_t j = N - 1; j >= i; --j) c[j] = (c[j - 1] + c[j]) / 2;
+    right[N - 1 - i] = c[N - 1];
+  }
+  return right;
 }
 
 }  // namespace
@@ -138,7 +148,7 @@ bool CrossArc::make(const RealVector& na, const RealVector& nt, const RealVector
   const std::int64_t square_error = put(square_, square, form_bits - 2 * scale) + 4;
   unsure_ = 3 * light_error + square_error + 8;
   slope_error_ = std::max(put(slope_, slope_powers, slope_bits), put(slope_points_, points, slope_bits)) + 8;
-  return std::max(unsure_, slope_error_) < most_error;
+  return unsure_ < most_error;
 }
 
 ArcLight CrossArc::at(std::uint32_t tau) const {
@@ -186,6 +196,38 @@ int CrossArc::turns(std::uint32_t a, std::uint32_t b) const {
     last = sign;
   }
   return turns;
+}
+
+// L and |N|^2 in Bernstein form, whose errors are below unsure(), on either half: on the whole of a half circle the middle of L is 0.
+int CrossArc::sign_of_excess(const LevelBar& bar) const {
+  const auto& [l0, l1, l2] = light_;
+  const auto& [n0, n1, n2, n3, n4] = square_;
+  std::array<std::int64_t, 3> light{l0, l0 + l1 / 2, l0 + l1 + l2};
+  std::array<std::int64_t, 5> square{n0, n0 + n1 / 4, n0 + n1 / 2 + n2 / 6, n0 + (n1 * 3 + n3) / 4 + n2 / 2,
+                                     n0 + n1 + n2 + n3 + n4};
+  const std::array<std::int64_t, 3> right_light = halved(light);
+  const std::array<std::int64_t, 5> right_square = halved(square);
+  const int sign = sign_of_excess(bar, light, square);
+  return sign != 0 && sign == sign_of_excess(bar, right_light, right_square) ? sign : 0;
+}
+
+int CrossArc::sign_of_excess(const LevelBar& bar, const std::array<std::int64_t, 3>& light,
+                             const std::array<std::int64_t, 5>& square) const {
+  const auto [least, most] = std::ranges::minmax(light);
+  if (most < -unsure_) return -1;
+  if (least < 0) return 0;
+  const auto times = [&light](std::size_t i, std::size_t j) {
+    return product(static_cast<std::uint64_t>(light[i]), static_cast<std::uint64_t>(light[j]));
+  };
+  const std::array<std::int64_t, 5> light2{times(0, 0), times(0, 1), (times(0, 2) + 2 * times(1, 1)) / 3, times(1, 2),
+                                           times(2, 2)};
+  int signs = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto normal = static_cast<std::uint64_t>(std::max<std::int64_t>(square[i], 0));
+    const std::int64_t excess = light2[i] - product(static_cast<std::uint64_t>(bar.square), normal);
+    signs += excess > 2 * unsure_ ? 1 : (excess < -2 * unsure_ ? -1 : 0);
+  }
+  return signs / 5;
 }
 
 std::int64_t LevelBar::excess(const ArcLight& at) const {

@@ -42,6 +42,8 @@ struct ArcLight {
   std::int64_t light, square, light_slope, square_slope;
 };
 
+struct LevelBar;
+
 class CrossArc {
  public:
   // False where the forms cannot be told well enough.
@@ -52,6 +54,8 @@ class CrossArc {
 
   [[nodiscard]] ArcLight at(std::uint32_t tau) const;
   [[nodiscard]] std::int32_t place(std::uint32_t tau) const;
+  // Whether the two below may be told at all: not where it is the same everywhere.
+  [[nodiscard]] bool has_slope() const { return slope_error_ < most_error; }
   // Of the intensity's slope; 0 where it is not certain.
   [[nodiscard]] int rise(std::uint32_t tau) const;
   // Places change by less than 2^(3 + steepness_bits) of tau.
@@ -63,9 +67,15 @@ class CrossArc {
   // An upper bound of how often the intensity turns from a to b; `many` where it cannot be told.
   [[nodiscard]] int turns(std::uint32_t a, std::uint32_t b) const;
   static constexpr int many = 9;
+  // The sign of a level's excess if it is sure to be the same on the whole arc, as where a cone is lit along its axis; else 0.
+  [[nodiscard]] int sign_of_excess(const LevelBar& bar) const;
+
+  static constexpr std::int64_t most_error = std::int64_t{1} << 40;  // of forms
 
  private:
   [[nodiscard]] std::int64_t blossom(std::uint32_t a, std::uint32_t b, int of_b) const;
+  [[nodiscard]] int sign_of_excess(const LevelBar& bar, const std::array<std::int64_t, 3>& light,
+                                   const std::array<std::int64_t, 5>& square) const;
 
   std::array<std::int64_t, 3> light_{};             // powers of tau
   std::array<std::int64_t, 5> square_{}, slope_{};  // the latter w

@@ -111,9 +111,10 @@ struct Exact {
     return n;
   }
 
-  // What the level at a face point depends on: d (l . N), and d^2 |N|^2 = square.u + 2 square.v sqrt(q).
+  // What the level at a face point depends on: d (l . N), d^2 |N|^2, and q.
   struct LitNormal {
     RootForm light, square;
+    Int q;
   };
 
   HALFSPACE_STAGE static LitNormal lit_normal(const ActiveFace& face, const Lighting& lighting, std::int64_t x,
@@ -121,26 +122,43 @@ struct Exact {
     const std::array<RootForm, 3> n = normal_at(face, lighting, x, y, z);
     LitNormal lit;
     for (int i = 0; i < 3; ++i) {
-      lit.light.u += Int(lighting.light[i]) * n[i].u;
-      lit.light.v += Int(lighting.light[i]) * n[i].v;
+      const Int l(lighting.light[i] * face.light_sign);
+      lit.light.u += l * n[i].u;
+      lit.light.v += l * n[i].v;
       lit.square.u += n[i].u * n[i].u;
       lit.square.u += n[i].v * n[i].v * z.q;
       lit.square.v += n[i].u * n[i].v;
     }
+    lit.square.v += lit.square.v;
+    lit.q = z.q;
     return lit;
   }
 
+  // The same by the face's polynomials, where they were not rounded: they are of these numbers.
+  HALFSPACE_STAGE static LitNormal lit_surface(const RootSurface& s, std::int32_t x, std::int32_t y) {
+    return {{Int(s.light.at(x, y)), Int(s.light_root)},
+            {Int(s.square.at(x, y)), Int(s.square_root.at(x, y))},
+            Int(s.discriminant.at(x, y))};
+  }
+
+  HALFSPACE_STAGE static LitNormal lit_at(const ActiveFace& face, const Lighting& lighting, std::int32_t x,
+                                          std::int32_t y) {
+    if (face.kind == FaceKind::root && face.ready && face.surface.is_exact()) return lit_surface(face.surface, x, y);
+    return lit_normal(face, lighting, x, y, depth_at(face, x, y));
+  }
+
   // sign(scale^2 (l . N)^2 - t2 |N|^2)
-  HALFSPACE_STAGE static int sign_against(const LitNormal& lit, const Int& q, std::int64_t scale, const Int& t2) {
+  HALFSPACE_STAGE static int sign_against(const LitNormal& lit, std::int64_t scale, const Int& t2) {
     const Int scale2 = Int(scale) * Int(scale);
-    Int p = lit.light.v * lit.light.v * q;
+    Int p = lit.light.v * lit.light.v * lit.q;
     p += lit.light.u * lit.light.u;
     p = p * scale2;
     p -= t2 * lit.square.u;
-    Int r = scale2 * lit.light.u * lit.light.v;
-    r -= t2 * lit.square.v;
+    Int r = lit.light.u * lit.light.v;
     r += r;
-    return sign_of_radical<Bits>(p, r, q);
+    r = r * scale2;
+    r -= t2 * lit.square.v;
+    return sign_of_radical<Bits>(p, r, lit.q);
   }
 
   static int compare_depth(const ActiveFace& f, const ActiveFace& g, std::int32_t x, std::int32_t y) {
@@ -157,15 +175,12 @@ struct Exact {
     const std::int64_t threshold =
         static_cast<std::int64_t>(k) * lighting.unit - static_cast<std::int64_t>(levels - 1) * lighting.ambient;
     if (threshold <= 0) return true;
-    const std::int64_t lx = local(x, face.origin_x);
-    const std::int64_t ly = local(y, face.origin_y);
-    const Depth z = depth_at(face, lx, ly);
-    const LitNormal lit = lit_normal(face, lighting, lx, ly, z);
-    if (face.light_sign * sign_of_radical<Bits>(lit.light.u, lit.light.v, z.q) <= 0) return false;
+    const LitNormal lit = lit_at(face, lighting, x - face.origin_x, y - face.origin_y);
+    if (sign_of_radical<Bits>(lit.light.u, lit.light.v, lit.q) <= 0) return false;
     std::int64_t l2 = 0;
     for (const std::int64_t l : lighting.light) l2 += l * l;
     const std::int64_t scale = static_cast<std::int64_t>(levels - 1) * lighting.parallel;
-    return sign_against(lit, z.q, scale, Int(threshold) * Int(threshold) * Int(l2)) >= 0;
+    return sign_against(lit, scale, Int(threshold) * Int(threshold) * Int(l2)) >= 0;
   }
 };
 

@@ -47,6 +47,16 @@ struct RootSurface {
   ScaledQuadratic square;
   ScaledLinear square_root;
 
+  [[nodiscard]] bool is_exact() const {
+    return (discriminant.exponent | light.exponent | square.exponent | square_root.exponent) == 0;
+  }
+  // Light and normal are those of a dot's column.
+  [[nodiscard]] bool is_upright() const {
+    const auto has_y = [](const ScaledQuadratic& p) {
+      return !p.q[1].is_zero() || !p.q[2].is_zero() || !p.q[4].is_zero();
+    };
+    return is_exact() && !has_y(discriminant) && !has_y(square) && light.q[1].is_zero() && square_root.q[1].is_zero();
+  }
   // Bits that square_root has below square.
   [[nodiscard]] int square_root_fraction() const { return square.exponent - square_root.exponent; }
 };

@@ -58,6 +58,11 @@ struct QuotientParts {
   static std::int32_t growth(const Dot& /*a*/, const Dot& /*b*/) { return 1; }
 };
 
+// Its lines are rulings, of one level each: the quadric has no x.
+bool is_along_lines(const ActiveFace& face) {
+  return face.c[0].is_zero() && face.c[3].is_zero() && face.c[5].is_zero() && face.c[6].is_zero();
+}
+
 // Tracks pay on blocks of so many lines, where most of them show each boundary, and where forms are by s; and a face with
 // straight contours has other use for its block.
 constexpr std::int32_t fewest_lines = 32;
@@ -412,10 +417,11 @@ auto SpanTracer<Parts, Painter>::next_piece(const Stop& a, Stop& b) const -> Pie
 template <class Parts, class Painter>
 void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
   Stop a = stop_at(x0 - line_.middle());
-  const Stop last = stop_at(x1 - line_.middle());
   level_ = level_of(a.dot);
   painter_.change(x0, level_);
   ++job_.counters.level_spans;
+  if (is_along_lines(job_.face)) return painter_.end(x1);
+  const Stop last = stop_at(x1 - line_.middle());
   std::int32_t reach = 2 * longest_half;  // of a piece, as far as is worth a try
   while (a.dot.t < last.dot.t) {
     Stop b = last.dot.t - a.dot.t <= reach ? last : stop_at(a.dot.t + reach);

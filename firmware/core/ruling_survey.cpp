@@ -271,6 +271,11 @@ class Survey {
     while (0U - last_ > 1 && arc_.place(last_) < (1 << 24) - 3) last_ += (0U - last_) / 2;
     if (!settle_level(first)) return false;
     add(first);
+    if (keeps_level()) {
+      at_ = last_;
+    } else if (!arc_.has_slope()) {
+      return false;
+    }
     for (int parts = 0; at_ < last_; ++parts) {
       if (parts == most_parts) return false;
       const Stretch next = next_stretch();
@@ -359,7 +364,11 @@ class Survey {
     while (level != level_) add_place(place, level += level < level_ ? 1 : -1);
     return true;
   }
-  // The level is sure to be the same all the way.
+  // The level is sure to be the same everywhere; all the way.
+  [[nodiscard]] bool keeps_level() const {
+    return (level_ <= job_.table.ambient_level || arc_.sign_of_excess(bar(level_)) > 0) &&
+           (level_ >= job_.table.top_level || arc_.sign_of_excess(bar(level_ + 1)) < 0);
+  }
   [[nodiscard]] bool keeps_level(std::uint32_t way) const {
     return (level_ <= job_.table.ambient_level || holds_off(bar(level_), way) > 0) &&
            (level_ >= job_.table.top_level || holds_off(bar(level_ + 1), way) < 0);
@@ -567,7 +576,8 @@ bool has_wide_coefficients(const ActiveFace& face) {
                      [](const Wide<128>& c) { return c.bit_length() > most_coefficient_bits; });
 }
 
-// n lines on the discriminant of D is that here and 2 centre_y n - spread n^2.
+// n lines on the discriminant of D is that here and 2 centre_y n - spread n^2. Where all lines are alike, they have no corner if D hardly changes
+// along one of them.
 std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y) {
   if (face.kind != FaceKind::root) return no_line;
   const Form d = discriminant_of(about_dot(face, x, y));
@@ -579,7 +589,10 @@ std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t
   }
   const Real lines = centre / spread;
   constexpr int fraction = 8;
-  if (lines.error_of(fraction) > 1 << (fraction - 2)) return all_lines;
+  if (lines.error_of(fraction) > 1 << (fraction - 2)) {
+    const bool is_level = d.x.is_zero() && d.xx.is_zero();
+    return is_level || d.at.blurred(d.x, page_bits).blurred(d.xx, 2 * page_bits).sign() > 0 ? no_line : all_lines;
+  }
   if (lines.bits() > page_bits) return no_line;
   const auto nearest = static_cast<std::int32_t>((lines.fixed(1) + 1) >> 1);
   return (lines - Real(nearest)).sign() == 0 ? y + nearest : no_line;

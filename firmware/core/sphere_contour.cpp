@@ -113,6 +113,8 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
                     put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
                     put(out.level_slope, per_level / radial, 48 - f) && put(out.radius, radial, f) &&
                     put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30);
+  out.is_upright = s.is_exact() && s.light_root.is_zero() && s.light.q[1].is_zero() && !job.contours->block.empty();
+  if (out.is_upright) std::ranges::fill(job.contours->block, 0);
   const std::int64_t ambient = static_cast<std::int64_t>(job.table.levels - 1) * g.ambient;
   out.bar_step = bar_slope * static_cast<std::uint32_t>(g.unit);
   out.bar_at += bar_slope * static_cast<std::uint64_t>(ambient);
@@ -306,9 +308,16 @@ class SphereSpan {
   [[nodiscard, gnu::noinline]] std::int32_t first(bool inside, std::int32_t from, std::int32_t to,
                                                   std::int32_t k) const {
     for (from = std::max(from, x0_); from < to && from <= x1_; ++from) {
-      if ((reaches_level(job_, from, y_, k) != is_dark()) == inside) return from;
+      if ((reaches(from, k) != is_dark()) == inside) return from;
     }
     return to;
+  }
+  [[nodiscard]] bool reaches(std::int32_t x, std::int32_t k) const {
+    if (!c_.is_upright) return reaches_level(job_, x, y_, k);
+    std::uint32_t& known = job_.contours->block[static_cast<std::size_t>(k)];
+    const auto column = static_cast<std::uint32_t>(x + 1);
+    if (known >> 1 != column) known = column << 1 | (reaches_level(job_, x, y_, k) ? 1U : 0U);
+    return (known & 1) != 0;
   }
 
   [[nodiscard, gnu::noinline]] std::int32_t level_at(std::int32_t x) const {

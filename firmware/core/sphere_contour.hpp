@@ -29,6 +29,8 @@ struct SphereContours {
   std::int32_t sure_if_narrow;       // ... where w >= narrow
   std::int16_t level_error;          // of a level where the root is deep, in 2^-16: below 2^11
   std::uint8_t fraction = 0;         // f; 0: not made
+  // L is that of a dot's column: of each level the face's block keeps the last column asked, from 1, and, in the lowest bit, its answer.
+  bool is_upright = false;
 };
 
 }  // namespace halfspace

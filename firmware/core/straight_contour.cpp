@@ -109,7 +109,11 @@ class StraightSpan {
       // An entry may change the level on either side of a dot, which may have been asked for another entry's sake.
       const auto entry = static_cast<std::uint32_t>(*at);
       const std::int32_t x = place_of(entry) >> place_bits;
-      if (x != asked_) run.change(x, ask(x, level_of(entry)));
+      if (x != asked_) {
+        const std::int32_t level = ask(x, level_of(entry));
+        run.change(x, level);
+        if (s_.left_slope == 0 && s_.width_slope == 0) move_off(entry, x, level);
+      }
       if (x < x1_) run.change(x + 1, level_of(entry));
     }
   }
@@ -138,9 +142,26 @@ class StraightSpan {
     return search_level(job_.table, guess, [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
   }
 
+  // Where rulings are columns and a dot of one has told its level, all have: the entry is moved off them, to the side where it changes.
+  [[gnu::noinline]] void move_off(std::uint32_t entry, std::int32_t x, std::int32_t level) {
+    if (job_.face.kind != FaceKind::root || !job_.face.surface.is_upright()) return;
+    std::uint32_t* const at = std::find(entries_, entries_ + s_.entries, entry);
+    if (at == entries_ || at + 1 >= entries_ + s_.entries) return;
+    const bool is_left = level == level_of(entry);
+    if (!is_left && level != level_of(at[-1])) return;
+    const std::int32_t places = is_left ? unsure_ + 1 : 2 * unsure_ + 2;
+    const std::uint32_t step = static_cast<std::uint32_t>((std::uint64_t{1} << 32) / width_ + 1) *
+                               static_cast<std::uint32_t>(places);  // < 2^17 2^13
+    const std::uint32_t moved = ((is_left ? entry - step : entry + step) >> entry_level_bits << entry_level_bits) |
+                                static_cast<std::uint32_t>(level_of(entry));
+    const std::int32_t place = place_of(moved);
+    const bool is_ordered = is_left ? at[-1] < moved && moved < entry : entry < moved && moved < at[1];
+    if (is_ordered && place >> place_bits == (is_left ? x - 1 : x) && (place & (one_dot - 1)) > unsure_) *at = moved;
+  }
+
   const ShadeJob& job_;
   const StraightContours& s_;
-  const std::uint32_t* entries_;
+  std::uint32_t* entries_;
   std::int32_t y_, x0_, x1_;
   bool is_usable_ = false;
   std::uint32_t width_ = 0;             // of the rulings surveyed, on this line
