@@ -63,7 +63,7 @@ std::string NameSpace::invent(char prefix) {
   std::string id;
   do {
     id = std::string(1, prefix) + "#" + std::to_string(++number);
-  } while (!declared_.try_emplace(id).second);
+  } while (contains(id));
   return id;
 }
 

@@ -20,7 +20,7 @@ class NameSpace {
   [[nodiscard]] bool contains(const std::string& id) const { return declared_.count(id) != 0; }
   [[nodiscard]] std::vector<std::string_view> all() const;
 
-  // The next free of prefix#1, prefix#2, ...; now declared.
+  // The next of prefix#1, prefix#2, ... that is not declared; none is given twice.
   std::string invent(char prefix);
 
  private:

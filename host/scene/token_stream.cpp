@@ -61,7 +61,7 @@ void TokenStream::advance() {
   current_.kind = TokenKind::end;
 }
 
-Token TokenStream::take() {
+const Token& TokenStream::take() {
   advance();
   return previous_;
 }
@@ -93,7 +93,7 @@ bool TokenStream::take_id(std::string_view what, std::string& id) {
 }
 
 Number TokenStream::take_number() {
-  const Token token = take();
+  const Token& token = take();
   std::variant<Number, std::string> reading = read_number(token.text);
   if (auto* number = std::get_if<Number>(&reading)) return std::move(*number);
   log_.error(position_of(token), std::get<std::string>(reading));

@@ -25,7 +25,7 @@ class TokenStream {
   [[nodiscard]] bool at_number() const;  // also at "nan" and the like, which take_number() refuses
   [[nodiscard]] SourcePosition position_of(const Token& token) const { return {file_, token.line, token.column}; }
   [[nodiscard]] SourcePosition position() const { return position_of(current_); }
-  Token take();
+  const Token& take();  // which stays until the next
 
   // True when the text ends in an open comment: what should have followed is unknown, and not an error.
   [[nodiscard]] bool truncated() const { return truncated_; }
