@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
-#include <queue>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,23 +43,41 @@ std::vector<Item> in_order_of_lines(const std::vector<Item>& items, LineOf line_
   return sorted;
 }
 
+// Slots that wait for their next use: a bit each.
+class FreeSlots {
+ public:
+  void put(std::uint32_t slot) {
+    const std::size_t word = slot / 64;
+    if (word >= words_.size()) words_.resize(2 * word + 1);
+    words_[word] |= std::uint64_t{1} << (slot % 64);
+    first_ = std::min(first_, word);
+  }
+  std::optional<std::uint32_t> take_lowest() {
+    while (first_ < words_.size() && words_[first_] == 0) ++first_;
+    if (first_ == words_.size()) return std::nullopt;
+    const int bit = std::countr_zero(words_[first_]);
+    words_[first_] &= words_[first_] - 1;
+    return static_cast<std::uint32_t>(64 * first_) + static_cast<std::uint32_t>(bit);
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t first_ = 0;  // words before it are 0
+};
+
 // Assigns slots in order of entry, the lowest free one first; returns how many are needed.
 std::int32_t assign_slots(std::vector<Lifetime>& lives) {
   lives = in_order_of_lines(lives, [](const Lifetime& life) { return life.y0; });
   std::vector<std::size_t> ends(lives.size());  // in order of the last lines
   std::iota(ends.begin(), ends.end(), std::size_t{0});
   ends = in_order_of_lines(ends, [&lives](std::size_t i) { return lives[i].y1; });
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free;
+  FreeSlots free;
   std::uint32_t count = 0;
   std::size_t ended = 0;  // all of them have a slot, as what ends before a line has entered before it
   for (Lifetime& life : lives) {
-    for (; lives[ends[ended]].y1 < life.y0; ++ended) free.push(lives[ends[ended]].slot);
-    if (free.empty()) {
-      life.slot = count++;
-    } else {
-      life.slot = free.top();
-      free.pop();
-    }
+    for (; lives[ends[ended]].y1 < life.y0; ++ended) free.put(lives[ends[ended]].slot);
+    const auto slot = free.take_lowest();
+    life.slot = slot ? *slot : count++;
   }
   return static_cast<std::int32_t>(count);
 }
@@ -198,6 +217,8 @@ void JobWriter::collect() {
     faces[face].y1 = std::max(faces[face].y1, y1);
   };
   std::vector<Lifetime> arcs, cells;
+  arcs.reserve(resolved_.arcs.size());
+  cells.reserve(resolved_.cells.size() + resolved_.spans.size());
   for (std::uint32_t i = 0; i < resolved_.arcs.size(); ++i) {
     arcs.push_back({resolved_.arcs[i].y0, resolved_.arcs[i].y1, i, 0});
   }
@@ -213,6 +234,7 @@ void JobWriter::collect() {
     cells.push_back({span.y, span.y, cell_count + i, 0});
   }
   std::erase_if(faces, [](const Lifetime& life) { return life.y1 < life.y0; });
+  events_.reserve(faces.size() + arcs.size() + cells.size());
   JobNeeds& needs = result_.header.needs;
   needs.faces = assign_slots(faces);
   needs.arcs = assign_slots(arcs);
@@ -404,6 +426,8 @@ void JobWriter::write_arc(std::uint32_t index) {
 void JobWriter::write_forms() {
   face_end_.resize(resolved_.faces.size());
   arc_end_.resize(resolved_.arcs.size());
+  face_record_.reserve(face_end_.size());
+  forms_.reserve(48 * (face_end_.size() + arc_end_.size()));
   for (std::uint32_t i = 0; i < face_end_.size(); ++i) {
     write_face(i);
     face_end_[i] = forms_.size();
@@ -425,6 +449,7 @@ std::span<const std::uint8_t> JobWriter::arc_form(std::uint32_t index) const {
 
 std::vector<std::uint8_t> JobWriter::bytes() const {
   JobBytes out;
+  out.reserve(512 + forms_.size() + 16 * events_.size());
   write_header(out);
   std::int32_t y = 0;
   const auto arc_number = [this](std::uint32_t arc) {
