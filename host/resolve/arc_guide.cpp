@@ -214,7 +214,11 @@ std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent) {
     trace_own(form.sheets->d, Section{Curve{}, 1}, bounds.curves);
     for (const Curve& other : *form.others) trace(other, std::nullopt, false, form.constraint, bounds.curves);
   }
-  return scan_rows(critical_marks(bounds, {}, extent.y0, extent.y1), extent.y0, extent.y1);
+  std::vector<Mark> marks;
+  find_critical_marks(bounds, {}, extent.y0, extent.y1, marks);
+  std::vector<ScanRow> rows;
+  find_scan_rows(marks, extent.y0, extent.y1, rows);
+  return rows;
 }
 
 }  // namespace

@@ -8,11 +8,19 @@
 
 namespace halfspace {
 
+void ArcTable::start_body(std::int64_t origin_y) {
+  origin_y_ = origin_y;
+  curves_.clear();
+  guided_.clear();
+  uses_.clear();
+  runs_.clear();
+}
+
 std::uint32_t ArcTable::curve_index(const Curve& curve) {
-  const auto same = [&curve](const Curve& q) { return same_curve(curve, q); };
+  const auto same = [&curve](const Curve* q) { return same_curve(curve, *q); };
   const auto found = std::find_if(curves_.begin(), curves_.end(), same);
   if (found == curves_.end()) {
-    curves_.push_back(curve);
+    curves_.push_back(&curve);
     return static_cast<std::uint32_t>(curves_.size() - 1);
   }
   return static_cast<std::uint32_t>(found - curves_.begin());
@@ -24,19 +32,17 @@ std::uint32_t ArcTable::add_guide(const FormOnSheet& form) {
 }
 
 void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
-  if (name.curve != no_arc) runs_.push_back({name, y0, y1, no_arc});
+  if (name.curve != no_arc) uses_.push_back({name, y0, y1, no_arc});
 }
 
 void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs) {
-  std::sort(runs_.begin(), runs_.end(),
+  std::sort(uses_.begin(), uses_.end(),
             [](const Run& a, const Run& b) { return std::tie(a.name, a.y0) < std::tie(b.name, b.y0); });
   std::map<std::uint32_t, ArcGuide> guides;
-  std::vector<Run> uses = std::exchange(runs_, {});
-  runs_.reserve(uses.size());
-  for (std::size_t i = 0; i < uses.size();) {
-    Run joined = uses[i];
-    for (++i; i < uses.size() && uses[i].name == joined.name && uses[i].y0 <= joined.y1 + 1; ++i) {
-      joined.y1 = std::max(joined.y1, uses[i].y1);
+  for (std::size_t i = 0; i < uses_.size();) {
+    Run joined = uses_[i];
+    for (++i; i < uses_.size() && uses_[i].name == joined.name && uses_[i].y0 <= joined.y1 + 1; ++i) {
+      joined.y1 = std::max(joined.y1, uses_[i].y1);
     }
     const std::size_t first = arcs.size();
     append_arcs(joined, guides, extent, arcs);
@@ -52,7 +58,9 @@ void ArcTable::append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& gu
   const ArcName& name = run.name;
   if (!name.guided) {
     Arc& arc = arcs.emplace_back();
-    std::get<Curve>(arc.form) = curve_of(name);
+    Curve& curve = arc.form.emplace<Curve>(*curves_[name.curve]);
+    if (name.negated) negate(curve);
+    if (name.shift != 0) curve.q[5] += name.shift;
     arc.branch = name.branch;
     arc.y0 = run.y0;
     arc.y1 = run.y1;
@@ -74,13 +82,6 @@ ArcTable::Piece ArcTable::piece(const ArcName& name, std::int32_t y) const {
   const auto run = std::partition_point(runs_.begin(), runs_.end(),
                                         [&](const Run& r) { return std::tie(r.name, r.y1) < std::tie(name, y); });
   return {run->arc, run->y1};
-}
-
-Curve ArcTable::curve_of(const ArcName& name) const {
-  Curve curve = curves_[name.curve];
-  if (name.negated) curve = -1 * curve;
-  curve.q[5] += name.shift;
-  return curve;
 }
 
 }  // namespace halfspace

@@ -1,7 +1,7 @@
 // arc_table.hpp - the arcs of one body, each stored once however many faces it bounds.
 // A face names a boundary by curve, branch and sign; the lines on which faces use a name are collected, and runs of lines that
 // touch become one arc, or several where one guide does not do. So every line of an arc is a line on which some cell proved that the
-// branch exists.
+// branch exists. One table serves the bodies one after another.
 #pragma once
 
 #include <compare>
@@ -29,9 +29,10 @@ struct ArcName {
 
 class ArcTable {
  public:
-  // The origin of the body's frame: lines are page lines here, local ones in a guide.
-  explicit ArcTable(std::int64_t origin_y) : origin_y_(origin_y) {}
+  // Forgets the arcs of the body before it, but keeps their memory. Lines are page lines here, local ones in a guide.
+  void start_body(std::int64_t origin_y);
 
+  // Keeps a pointer.
   [[nodiscard]] std::uint32_t curve_index(const Curve& curve);
   [[nodiscard]] std::uint32_t add_guide(const FormOnSheet& form);
   void use(const ArcName& name, std::int32_t y0, std::int32_t y1);
@@ -50,14 +51,14 @@ class ArcTable {
     std::int32_t y0, y1;
     std::uint32_t arc;
   };
-  [[nodiscard]] Curve curve_of(const ArcName& name) const;
   void append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const Extent& extent,
                    std::vector<Arc>& arcs) const;
 
-  std::int64_t origin_y_;
-  std::vector<Curve> curves_;
+  std::int64_t origin_y_ = 0;
+  std::vector<const Curve*> curves_;
   std::vector<FormOnSheet> guided_;
-  std::vector<Run> runs_;  // as they are used; then the arcs' own, by name and line
+  std::vector<Run> uses_;
+  std::vector<Run> runs_;  // the arcs' own, by name and line
 };
 
 }  // namespace halfspace

@@ -5,7 +5,7 @@
 namespace halfspace {
 namespace {
 
-bool contains(const std::vector<ArcName>& names, const ArcName& name) {
+bool contains(const ShortList<ArcName>& names, const ArcName& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -22,49 +22,44 @@ std::vector<NamedCell>::iterator cell_above(std::vector<NamedCell>& cells, const
 
 }  // namespace
 
-void CellBuilder::add(const ScanRow& row, std::vector<NamedInterval> intervals) {
-  if (row.singular) {
-    add_line(row.y0, std::move(intervals));
-  } else {
-    add_slab(row, intervals);
+void CellBuilder::clear() {
+  cells_.clear();
+  spans_.clear();
+  line_.clear();
+}
+
+void CellBuilder::begin_row(const ScanRow& row) {
+  row_ = row;
+  if (!row.singular) return;
+  flush_line();
+  line_y_ = row.y0;
+}
+
+void CellBuilder::add(NamedInterval&& interval) {
+  const auto above = cell_above(cells_, interval, row_.y0);
+  if (above != cells_.end()) {
+    above->y1 = row_.y1;
+  } else if (row_.singular) {
+    line_.push_back(std::move(interval));
+  } else if (!open_from_line_above(interval)) {
+    cells_.push_back({interval.left.front(), interval.right.front(), row_.y0, row_.y1});
   }
+}
+
+void CellBuilder::end_row() {
+  if (!row_.singular) flush_line();
 }
 
 void CellBuilder::finish() { flush_line(); }
 
-void CellBuilder::add_slab(const ScanRow& row, const std::vector<NamedInterval>& intervals) {
-  for (const NamedInterval& interval : intervals) {
-    const auto above = cell_above(cells_, interval, row.y0);
-    if (above != cells_.end()) {
-      above->y1 = row.y1;
-    } else if (!open_from_line_above(interval, row)) {
-      cells_.push_back({interval.left.front(), interval.right.front(), row.y0, row.y1});
-    }
-  }
-  flush_line();
-}
-
-void CellBuilder::add_line(std::int64_t y, std::vector<NamedInterval> intervals) {
-  flush_line();
-  line_y_ = y;
-  for (NamedInterval& interval : intervals) {
-    const auto above = cell_above(cells_, interval, y);
-    if (above != cells_.end()) {
-      above->y1 = y;
-    } else {
-      line_.push_back(std::move(interval));
-    }
-  }
-}
-
-bool CellBuilder::open_from_line_above(const NamedInterval& interval, const ScanRow& row) {
+bool CellBuilder::open_from_line_above(const NamedInterval& interval) {
   const ArcName& left = interval.left.front();
   const ArcName& right = interval.right.front();
   const auto start =
       std::find_if(line_.begin(), line_.end(), [&](const NamedInterval& above) { return fits(above, left, right); });
   if (start == line_.end()) return false;
   line_.erase(start);
-  cells_.push_back({left, right, line_y_, row.y1});
+  cells_.push_back({left, right, line_y_, row_.y1});
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "host/resolve/arc_table.hpp"
 #include "host/resolve/scan_rows.hpp"
+#include "host/resolve/short_list.hpp"
 
 namespace halfspace {
 
@@ -22,25 +23,28 @@ struct DotSpan {
 
 // One interval of a row: all names of each side's root, and its dots.
 struct NamedInterval {
-  std::vector<ArcName> left, right;  // in a slab exactly one each
-  std::int64_t x0 = 0, x1 = -1;      // singular lines only
+  ShortList<ArcName> left, right;  // in a slab exactly one each
+  std::int64_t x0 = 0, x1 = -1;    // singular lines only
 };
 
 class CellBuilder {
  public:
-  // Rows from top to bottom, without gaps.
-  void add(const ScanRow& row, std::vector<NamedInterval> intervals);
+  // Forgets what it built, but keeps its memory.
+  void clear();
+  // Rows from top to bottom, without gaps; the intervals of each between its begin and its end.
+  void begin_row(const ScanRow& row);
+  void add(NamedInterval&& interval);
+  void end_row();
   void finish();
 
   [[nodiscard]] const std::vector<NamedCell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<DotSpan>& spans() const { return spans_; }
 
  private:
-  void add_slab(const ScanRow& row, const std::vector<NamedInterval>& intervals);
-  void add_line(std::int64_t y, std::vector<NamedInterval> intervals);
-  bool open_from_line_above(const NamedInterval& interval, const ScanRow& row);
+  bool open_from_line_above(const NamedInterval& interval);
   void flush_line();
 
+  ScanRow row_;
   std::vector<NamedCell> cells_;
   std::vector<DotSpan> spans_;
   std::vector<NamedInterval> line_;  // of the singular line just above, not yet in a cell

@@ -76,8 +76,9 @@ bool is_limb(const TracedCurve& traced) { return traced.section && is_zero(trace
 
 class Search {
  public:
-  Search(const std::vector<SheetPresence>& sheets, std::int64_t y0, std::int64_t y1)
-      : sheets_(sheets), y0_(y0), y1_(y1) {}
+  // Adds to `marks`.
+  Search(const std::vector<SheetPresence>& sheets, std::int64_t y0, std::int64_t y1, std::vector<Mark>& marks)
+      : sheets_(sheets), y0_(y0), y1_(y1), marks_(marks) {}
 
   void add_turns(const TracedCurve& p) {
     if (sgn(p.curve.q[0]) == 0) return add_all(turning_lines(p.curve));
@@ -116,10 +117,9 @@ class Search {
 
   void add(const std::vector<Mark>& marks) { marks_.insert(marks_.end(), marks.begin(), marks.end()); }
 
-  std::vector<Mark> take() {
+  void sort() {
     std::sort(marks_.begin(), marks_.end());
     marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
-    return std::move(marks_);
   }
 
  private:
@@ -192,16 +192,17 @@ class Search {
 
   const std::vector<SheetPresence>& sheets_;
   std::int64_t y0_, y1_;
-  std::vector<Mark> marks_;
+  std::vector<Mark>& marks_;
 };
 
 }  // namespace
 
-std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
-                                 std::int64_t y0, std::int64_t y1) {
+void find_critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets, std::int64_t y0,
+                         std::int64_t y1, std::vector<Mark>& marks) {
   const std::vector<TracedCurve>& curves = bounds.curves;
   const std::vector<TracedQuartic>& quartics = bounds.quartics;
-  Search search(sheets, y0, y1);
+  marks.clear();
+  Search search(sheets, y0, y1, marks);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     search.add_turns(curves[i]);
     for (std::size_t j = 0; j < i; ++j) search.add_meeting(curves[i], curves[j]);
@@ -214,7 +215,7 @@ std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector
     }
     for (std::size_t j = 0; j < i; ++j) search.add(quartic.meetings(*quartics[j].curve));
   }
-  return search.take();
+  search.sort();
 }
 
 }  // namespace halfspace

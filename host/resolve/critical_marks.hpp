@@ -14,7 +14,7 @@ namespace halfspace {
 
 // `sheets`: those whose outlines the curves are; none: every point counts, on a face or not. What befalls a quartic counts
 // everywhere, since its roots are known by their number on a sheet (scan_rows.hpp). Sorted, none twice, for lines y0 .. y1, the table's.
-[[nodiscard]] std::vector<Mark> critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets,
-                                               std::int64_t y0, std::int64_t y1);
+void find_critical_marks(const BoundingCurves& bounds, const std::vector<SheetPresence>& sheets, std::int64_t y0,
+                         std::int64_t y1, std::vector<Mark>& marks);
 
 }  // namespace halfspace

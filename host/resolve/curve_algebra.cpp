@@ -1,6 +1,7 @@
 #include "host/resolve/curve_algebra.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 #include <utility>
 
@@ -15,10 +16,10 @@ void append_once(Curve&& p, std::vector<Curve>& factors) {
   if (std::none_of(factors.begin(), factors.end(), same)) factors.push_back(std::move(p));
 }
 
-void append_line(const mpz_class& x, const mpz_class& y, const mpz_class& one, std::vector<Curve>& factors) {
-  Curve line{{0, 0, 0, x, y, one}};
+Curve line_of(mpz_class x, mpz_class y, mpz_class one) {
+  Curve line{{0, 0, 0, std::move(x), std::move(y), std::move(one)}};
   make_canonical(line);
-  append_once(std::move(line), factors);
+  return line;
 }
 
 // s y + t with (s y + t)^2 = p2 y^2 + p1 y + p0, when it is a rational (hence an integer) polynomial.
@@ -33,26 +34,25 @@ std::optional<LinearRoot> square_root(const mpz_class& p2, const mpz_class& p1, 
   return root;
 }
 
+using Lines = std::optional<std::array<Curve, 2>>;
+
 // q0 != 0: reducible exactly when the discriminant in x is the square of a rational polynomial in y; that of an ellipse begins with a
 // negative coefficient.
-void append_factors_of_second_order_in_x(Curve&& p, std::vector<Curve>& factors) {
+Lines lines_of_second_order_in_x(const Curve& p) {
   const auto& q = p.q;
+  if (sgn(q[1]) == 0 && sgn(q[0]) * sgn(q[2]) > 0) return std::nullopt;
   const mpz_class leading = q[1] * q[1] - 4 * q[0] * q[2];
-  if (sgn(leading) < 0) return append_once(std::move(p), factors);
+  if (sgn(leading) < 0) return std::nullopt;
   const auto root = square_root(leading, 2 * q[1] * q[3] - 4 * q[0] * q[4], q[3] * q[3] - 4 * q[0] * q[5]);
-  if (!root) return append_once(std::move(p), factors);
-  append_line(2 * q[0], q[1] + root->s, q[3] + root->t, factors);
-  append_line(2 * q[0], q[1] - root->s, q[3] - root->t, factors);
+  if (!root) return std::nullopt;
+  return {{line_of(2 * q[0], q[1] + root->s, q[3] + root->t), line_of(2 * q[0], q[1] - root->s, q[3] - root->t)}};
 }
 
 // q0 = 0, q1 != 0: reducible exactly when q1 y + q3 divides the part without x.
-void append_factors_of_mixed(Curve&& p, std::vector<Curve>& factors) {
+Lines mixed_lines(const Curve& p) {
   const auto& q = p.q;
-  if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) {
-    return append_once(std::move(p), factors);
-  }
-  append_line(0, q[1], q[3], factors);
-  append_line(q[1] * q[1], q[1] * q[2], q[4] * q[1] - q[2] * q[3], factors);
+  if (q[2] * q[3] * q[3] - q[4] * q[3] * q[1] + q[5] * q[1] * q[1] != 0) return std::nullopt;
+  return {{line_of(0, q[1], q[3]), line_of(q[1] * q[1], q[1] * q[2], q[4] * q[1] - q[2] * q[3])}};
 }
 
 }  // namespace
@@ -77,25 +77,44 @@ Curve operator*(const mpz_class& factor, const Curve& p) {
   return product;
 }
 
+void negate(Curve& p) {
+  for (mpz_class& c : p.q) mpz_neg(c.get_mpz_t(), c.get_mpz_t());
+}
+
 Curve plus_multiple(Curve p, const mpz_class& factor, const Curve& q) {
   for (std::size_t i = 0; i < p.q.size(); ++i) mpz_addmul(p.q[i].get_mpz_t(), factor.get_mpz_t(), q.q[i].get_mpz_t());
   return p;
 }
 
 Curve minus_multiple(Curve p, const mpz_class& factor, const Curve& q) {
-  for (std::size_t i = 0; i < p.q.size(); ++i) mpz_submul(p.q[i].get_mpz_t(), factor.get_mpz_t(), q.q[i].get_mpz_t());
+  subtract_multiple(p, factor, q);
   return p;
+}
+
+void subtract_multiple(Curve& p, const mpz_class& factor, const Curve& q) {
+  for (std::size_t i = 0; i < p.q.size(); ++i) {
+    const mpz_ptr c = p.q[i].get_mpz_t();
+    if (mpz_sgn(c) != 0) {
+      mpz_submul(c, factor.get_mpz_t(), q.q[i].get_mpz_t());
+    } else {  // at half the cost
+      mpz_mul(c, factor.get_mpz_t(), q.q[i].get_mpz_t());
+      mpz_neg(c, c);
+    }
+  }
 }
 
 Curve product_of_lines(const Curve& l, const Curve& m) {
   const auto& a = l.q;
   const auto& b = m.q;
+  const auto product = [&](std::size_t i, std::size_t j) {
+    return sgn(a[i]) == 0 || sgn(b[j]) == 0 ? mpz_class() : mpz_class(a[i] * b[j]);
+  };
   const auto mixed = [&](std::size_t i, std::size_t j) {
-    mpz_class sum = a[i] * b[j];
+    mpz_class sum = product(i, j);
     mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[i].get_mpz_t());
     return sum;
   };
-  return {{a[3] * b[3], mixed(3, 4), a[4] * b[4], mixed(3, 5), mixed(4, 5), a[5] * b[5]}};
+  return {{product(3, 3), mixed(3, 4), product(4, 4), mixed(3, 5), mixed(4, 5), product(5, 5)}};
 }
 
 bool is_zero(const Curve& p) {
@@ -108,19 +127,36 @@ bool is_constant(const Curve& p) {
 
 bool same_curve(const Curve& p, const Curve& q) { return p.q == q.q; }
 
+long exponent_of(const Curve& p) {
+  static_assert(GMP_NUMB_BITS == 64);
+  std::size_t exponent = 1;
+  for (const mpz_class& c : p.q) {
+    const std::size_t limbs = mpz_size(c.get_mpz_t());
+    if (limbs == 0) continue;
+    const mp_limb_t top = mpz_getlimbn(c.get_mpz_t(), static_cast<mp_size_t>(limbs - 1));
+    exponent = std::max(exponent, 64 * (limbs - 1) + static_cast<std::size_t>(std::bit_width(top)));
+  }
+  return static_cast<long>(exponent);
+}
+
 void make_canonical(Curve& p) {
   divide_by_content(p.q);
   const auto leading = std::find_if(p.q.begin(), p.q.end(), [](const mpz_class& c) { return sgn(c) != 0; });
   if (leading == p.q.end() || sgn(*leading) > 0) return;
-  for (mpz_class& coefficient : p.q) mpz_neg(coefficient.get_mpz_t(), coefficient.get_mpz_t());
+  negate(p);
+}
+
+std::optional<std::array<Curve, 2>> rational_lines(const Curve& p) {
+  if (sgn(p.q[0]) != 0) return lines_of_second_order_in_x(p);
+  return sgn(p.q[1]) != 0 ? mixed_lines(p) : std::nullopt;
 }
 
 void append_factors(Curve p, std::vector<Curve>& factors) {
   if (is_constant(p)) return;
   make_canonical(p);
-  if (sgn(p.q[0]) != 0) return append_factors_of_second_order_in_x(std::move(p), factors);
-  if (sgn(p.q[1]) != 0) return append_factors_of_mixed(std::move(p), factors);
-  append_once(std::move(p), factors);
+  auto lines = rational_lines(p);
+  if (!lines) return append_once(std::move(p), factors);
+  for (Curve& line : *lines) append_once(std::move(line), factors);
 }
 
 }  // namespace halfspace

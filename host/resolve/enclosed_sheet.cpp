@@ -1,7 +1,11 @@
 #include "host/resolve/enclosed_sheet.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include "host/algebra/truncated.hpp"
+#include "host/resolve/curve_algebra.hpp"
 
 namespace halfspace {
 namespace {
@@ -15,18 +19,16 @@ long exponent_of(const Surface& s) {
 
 // q / 2^exponent, truncated: relative error below 2^-52.
 double rounded(const mpz_class& q, long exponent) {
+  if (mpz_size(q.get_mpz_t()) <= 14 && exponent >= 0 &&
+      exponent <= 900) {  // no shorter than 2^-900, nor longer than 2^896
+    return truncated(q) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
+  }
   long own = 0;
   const double mantissa = mpz_get_d_2exp(&own, q.get_mpz_t());
   return std::ldexp(mantissa, static_cast<int>(std::max(own - exponent, -4000L)));
 }
 
 }  // namespace
-
-long exponent_of(const Curve& p) {
-  long exponent = 0;
-  for (const mpz_class& q : p.q) exponent = std::max(exponent, exponent_of(q));
-  return exponent;
-}
 
 EnclosedCurve::EnclosedCurve(const Curve& p, long exponent) {
   for (std::size_t i = 0; i < q_.size(); ++i) q_[i] = rounded(p.q[i], exponent);
@@ -78,7 +80,7 @@ auto SheetForms<Form, Place>::own_forms(const Place& place) const -> Own {
   switch (shape_) {
     case SheetShape::two_sheets: {
       const Interval d = d_.over(place);
-      return {d, square_root(d), {}, {}, d.low >= 0};
+      return {d, constraints_.empty() ? Interval{} : square_root(d), {}, {}, d.low >= 0};
     }
     case SheetShape::rational: {
       const Interval b = b_.over(place);
@@ -180,9 +182,11 @@ SheetOnLine EnclosedSheet::on_line(double y) const {
   SheetOnLine line;
   line.shape_ = shape_;
   line.is_front_ = is_front_;
-  line.d_ = d_.on_line(y);
-  line.b_ = b_.on_line(y);
-  line.c_ = c_.on_line(y);
+  if (shape_ == SheetShape::two_sheets) line.d_ = d_.on_line(y);
+  if (shape_ == SheetShape::rational) {
+    line.b_ = b_.on_line(y);
+    line.c_ = c_.on_line(y);
+  }
   line.constraints_.reserve(constraints_.size());
   for (const ConstraintForm& k : constraints_) {
     line.constraints_.push_back({k.sense, k.p.on_line(y), k.r.on_line(y), k.a});

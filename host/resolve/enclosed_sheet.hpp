@@ -30,9 +30,6 @@ class QuadraticOnLine {
   double a_ = 0, b_ = 0, c_ = 0, size_of_b_ = 0, size_of_c_ = 0;
 };
 
-// The least e with all coefficients below 2^e.
-[[nodiscard]] long exponent_of(const Curve& p);
-
 // A curve's polynomial with rounded coefficients, all divided by the same power of two so that they are at most 1. Bounded as above.
 class EnclosedCurve {
  public:
@@ -76,8 +73,8 @@ class SheetForms {
   };
   // The own forms over one place.
   struct Own {
-    Interval d, root, b, c;
-    bool exists = false;  // surely
+    Interval d, root, b, c;  // the root is for the constraints
+    bool exists = false;     // surely
   };
   [[nodiscard]] Interval value_of(const ConstraintForm& k, const Own& own, const Place& place) const;
   [[nodiscard]] static bool is_held(const ConstraintForm& k, const Interval& value);

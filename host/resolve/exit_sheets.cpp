@@ -45,9 +45,8 @@ bool has_rivals(const Sheets& sheets) {
   });
 }
 
-std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
-                                      const std::vector<RowRoot>& roots, std::int64_t y,
-                                      const std::vector<RowInterval>& intervals) {
+RowIntervals rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
+                          const std::vector<RowRoot>& roots, std::int64_t y, const RowIntervals& intervals) {
   const auto holds = [y](const TracedCurve& traced) { return traced.later && holds_line(traced.curve, y); };
   if (std::any_of(bounds.curves.begin(), bounds.curves.end(), holds)) return intervals;
   const auto is_rival = [&](const RowRoot& root) {
@@ -57,7 +56,7 @@ std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves
              return b.sheet == sheet && sheets.constraints[b.constraint].half_space > sheets.half_space;
            });
   };
-  std::vector<RowInterval> points;
+  RowIntervals points;
   for (const RowInterval& interval : intervals) {
     const int first = interval.left == unbounded ? 0 : interval.left;
     const int last = interval.right == unbounded ? static_cast<int>(roots.size()) - 1 : interval.right;

@@ -31,8 +31,8 @@ struct HiddenExits {
 
 // What is left of an exit sheet's intervals on scan line y, where it may win a tie: the roots on curves of later half-spaces, as
 // intervals of one point; everything where such a curve holds the whole line.
-[[nodiscard]] std::vector<RowInterval> rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
-                                                    const std::vector<RowRoot>& roots, std::int64_t y,
-                                                    const std::vector<RowInterval>& intervals);
+[[nodiscard]] RowIntervals rival_points(const Sheets& sheets, const BoundingCurves& bounds, Sheet sheet,
+                                        const std::vector<RowRoot>& roots, std::int64_t y,
+                                        const RowIntervals& intervals);
 
 }  // namespace halfspace

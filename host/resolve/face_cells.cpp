@@ -13,8 +13,8 @@ namespace {
 
 // The curves of a half-space's sheets and their names in the body.
 struct FaceCurves {
-  BoundingCurves bounds;
-  std::vector<std::uint32_t> names;                        // of the curves
+  const BoundingCurves& bounds;
+  std::vector<std::uint32_t>& names;                       // of the curves
   std::map<std::array<std::uint32_t, 3>, ArcName> guided;  // of the quartics, by quartic, constraint and sheet
   std::uint32_t pole = no_arc;
 };
@@ -34,14 +34,21 @@ void name_quartic(const Sheets& sheets, std::uint32_t quartic, FaceCurves& face,
   }
 }
 
-FaceCurves face_curves(const Sheets& sheets, QuarticTable& table, ArcTable& arcs) {
-  FaceCurves face;
-  face.bounds = bounding_curves(sheets, table);
+FaceCurves face_curves(const Sheets& sheets, const BoundingCurves& bounds, ArcTable& arcs,
+                       std::vector<std::uint32_t>& names) {
+  FaceCurves face{bounds, names, {}};
+  names.clear();
   if (sheets.shape == SheetShape::rational && !is_constant(sheets.surface.b)) face.pole = 0;
   for (const TracedCurve& traced : face.bounds.curves) face.names.push_back(arcs.curve_index(traced.curve));
   for (std::uint32_t i = 0; i < face.bounds.quartics.size(); ++i) name_quartic(sheets, i, face, arcs);
   return face;
 }
+
+// A sheet that may have a face.
+struct Open {
+  Sheet sheet = Sheet::only;
+  bool is_exit = false;
+};
 
 // A pole bounds a cell from outside. On dots its line's value v is an integer, so v > 0 is v - 1 >= 0: the arc v - 1 = 0 is closed.
 ArcName beside_pole(ArcName pole, bool left_side) {
@@ -49,8 +56,8 @@ ArcName beside_pole(ArcName pole, bool left_side) {
   return pole;
 }
 
-std::vector<ArcName> names_at(const FaceCurves& face, Sheet sheet, const RowRoot& root, bool open, bool left_side) {
-  std::vector<ArcName> names;
+ShortList<ArcName> names_at(const FaceCurves& face, Sheet sheet, const RowRoot& root, bool open, bool left_side) {
+  ShortList<ArcName> names;
   for (const CurveBranch& through : root.curves) {
     const ArcName name{face.names[through.curve], through.branch, through.negated, 0, false, 0};
     if (!open) names.push_back(name);
@@ -58,8 +65,9 @@ std::vector<ArcName> names_at(const FaceCurves& face, Sheet sheet, const RowRoot
   }
   for (const QuarticBranch& through : root.quartics) {
     if (open || through.sheet != sheet) continue;
-    names.push_back(face.guided.at(key_of(through.quartic, through.constraint, sheet)));
-    names.back().rank = through.rank;
+    ArcName name = face.guided.at(key_of(through.quartic, through.constraint, sheet));
+    name.rank = through.rank;
+    names.push_back(name);
   }
   return names;
 }
@@ -91,59 +99,56 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
   }
 }
 
-std::vector<NamedInterval> named_intervals(const FaceCurves& face, Sheet sheet, const std::vector<RowRoot>& roots,
-                                           const std::vector<RowInterval>& intervals, bool in_dots,
-                                           const Extent& extent) {
-  std::vector<NamedInterval> named;
-  named.reserve(intervals.size());
-  for (const RowInterval& interval : intervals) {
-    NamedInterval next;
-    const auto names = [&](int root, bool open, bool left_side) {
-      if (root == unbounded) return std::vector<ArcName>{ArcName{}};
-      return names_at(face, sheet, roots[static_cast<std::size_t>(root)], open, left_side);
-    };
-    next.left = names(interval.left, interval.left_open, true);
-    next.right = names(interval.right, interval.right_open, false);
-    if (in_dots) set_dots(interval, roots, extent, next);
-    named.push_back(std::move(next));
-  }
+NamedInterval named(const RowInterval& interval, const FaceCurves& face, Sheet sheet, const std::vector<RowRoot>& roots,
+                    bool in_dots, const Extent& extent) {
+  const auto names = [&](int root, bool open, bool left_side) {
+    if (root == unbounded) return ShortList{ArcName{}};
+    return names_at(face, sheet, roots[static_cast<std::size_t>(root)], open, left_side);
+  };
+  NamedInterval named{names(interval.left, interval.left_open, true),
+                      names(interval.right, interval.right_open, false)};
+  if (in_dots) set_dots(interval, roots, extent, named);
   return named;
 }
 
 }  // namespace
 
-std::vector<FaceCells> face_cells(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
-                                  QuarticTable& table, ArcTable& arcs) {
-  std::vector<FaceCells> faces;
-  std::vector<SheetPresence> presences;
-  std::array<bool, 2> hidden{};
+BoundingCurves FaceFinder::append_faces(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
+                                        QuarticTable& table, ArcTable& arcs, std::vector<FaceCells>& faces) {
+  presences_.clear();
+  std::array<Open, 2> open;
+  std::size_t count = 0;
   for (const Sheet sheet : sheets_in(sheets)) {
     const bool is_exit = sheet == Sheet::back ? exits.back : exits.front;
     if (is_exit && !has_rivals(sheets)) continue;
-    faces.push_back({sheet, {}, {}});
-    presences.emplace_back(sheets, sheet);
-    hidden.at(faces.size() - 1) = is_exit;
+    presences_.emplace_back(sheets, sheet);
+    builders_[count].clear();
+    open[count++] = {sheet, is_exit};
   }
-  if (faces.empty()) return {};
-  const FaceCurves face = face_curves(sheets, table, arcs);
-  std::array<CellBuilder, 2> builders;
-  const std::vector<Mark> marks = critical_marks(face.bounds, presences, extent.y0, extent.y1);
-  RowRoots finder(sheets, face.bounds);
-  for (const ScanRow& row : scan_rows(marks, extent.y0, extent.y1)) {
-    const std::vector<RowRoot>& roots = finder.on_line(row.y0);
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const Sheet sheet = faces[i].sheet;
-      auto intervals = row_intervals(roots, face.bounds, PresenceOnLine(presences[i], row.y0), face.pole);
-      if (hidden[i]) intervals = rival_points(sheets, face.bounds, sheet, roots, row.y0, intervals);
-      builders[i].add(row, named_intervals(face, sheet, roots, intervals, row.singular, extent));
+  if (count == 0) return {};
+  BoundingCurves bounds = bounding_curves(sheets, table);
+  const FaceCurves face = face_curves(sheets, bounds, arcs, names_);
+  find_critical_marks(bounds, presences_, extent.y0, extent.y1, marks_);
+  find_scan_rows(marks_, extent.y0, extent.y1, rows_);
+  roots_.set_face(sheets, bounds);
+  for (const ScanRow& row : rows_) {
+    const std::vector<RowRoot>& roots = roots_.on_line(row.y0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [sheet, is_exit] = open[i];
+      auto intervals = row_intervals(roots, bounds, PresenceOnLine(presences_[i], row.y0), face.pole);
+      if (is_exit) intervals = rival_points(sheets, bounds, sheet, roots, row.y0, intervals);
+      builders_[i].begin_row(row);
+      for (const RowInterval& interval : intervals) {
+        builders_[i].add(named(interval, face, sheet, roots, row.singular, extent));
+      }
+      builders_[i].end_row();
     }
   }
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    builders[i].finish();
-    faces[i].cells = builders[i].cells();
-    faces[i].spans = builders[i].spans();
+  for (std::size_t i = 0; i < count; ++i) {
+    builders_[i].finish();
+    faces.push_back({sheets.half_space, open[i].sheet, builders_[i].cells(), builders_[i].spans()});
   }
-  return faces;
+  return bounds;
 }
 
 }  // namespace halfspace

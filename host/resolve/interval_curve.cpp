@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "host/resolve/curve_algebra.hpp"
+
 namespace halfspace {
 namespace {
 
@@ -58,10 +60,9 @@ std::array<Interval, 6> mirrored(const std::array<Interval, 6>& q) { return {q[2
 }  // namespace
 
 IntervalCurve interval_curve(const Curve& p) {
-  std::size_t bits = 0;
-  for (const mpz_class& c : p.q) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  const long exponent = exponent_of(p);
   IntervalCurve result;
-  for (std::size_t i = 0; i < p.q.size(); ++i) result.q[i] = enclosure(p.q[i], static_cast<long>(bits));
+  for (std::size_t i = 0; i < p.q.size(); ++i) result.q[i] = enclosure(p.q[i], exponent);
   result.is_line = sgn(p.q[0]) == 0 && sgn(p.q[1]) == 0 && sgn(p.q[2]) == 0;
   return result;
 }

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -65,7 +65,7 @@ class QuarticTable {
 
   std::int64_t y0_, y1_;
   std::map<std::array<mpz_class, 15>, KnownFactors> factors_;
-  std::deque<KnownQuartic> quartics_;
+  std::list<KnownQuartic> quartics_;
 };
 
 }  // namespace halfspace

@@ -15,11 +15,6 @@ Extent local_extent(const IntegerBody& body, const Scissor& scissor) {
           scissor.y1 - body.origin[1]};
 }
 
-struct ResolvedHalfSpace {
-  std::uint32_t half_space = 0;
-  std::vector<FaceCells> faces;
-};
-
 void append_face(const IntegerBody& body, const Face& face, const FaceCells& found, const ArcTable& arcs,
                  ResolvedScene& scene) {
   const auto index = static_cast<std::uint32_t>(scene.faces.size());
@@ -50,39 +45,58 @@ void use_arcs(const IntegerBody& body, const FaceCells& face, ArcTable& arcs) {
   }
 }
 
-std::vector<Sheets> opaque_sheets(const IntegerBody& body, const Extent& extent) {
-  std::vector<Sheets> all;
-  all.reserve(body.half_spaces.size());
+// Resolves one body after another, in memory that serves all of them.
+class BodyResolver {
+ public:
+  BodyResolver(const IntegerScene& scene, bool all_faces) : scene_(scene), all_faces_(all_faces) {}
+
+  void append(std::uint32_t index, ResolvedScene& resolved);
+
+ private:
+  void find_opaque_sheets(const IntegerBody& body, const Extent& extent);
+
+  const IntegerScene& scene_;
+  bool all_faces_;
+  FaceFinder finder_;
+  ArcTable arcs_;
+  std::vector<Sheets> opaque_;  // of one body
+  std::vector<BoundingCurves> bounds_;
+  std::vector<FaceCells> faces_;
+};
+
+void BodyResolver::find_opaque_sheets(const IntegerBody& body, const Extent& extent) {
+  opaque_.clear();
+  opaque_.reserve(body.half_spaces.size());
   for (std::uint32_t i = 0; i < body.half_spaces.size(); ++i) {
     if (body.half_spaces[i].transparent) continue;
-    Sheets sheets = sheets_of(body, i);
-    if (sheets.shape == SheetShape::none) continue;
-    drop_needless_quartics(sheets, extent);
-    all.push_back(std::move(sheets));
+    Sheets& sheets = opaque_.emplace_back(body, i);
+    if (sheets.shape == SheetShape::none) {
+      opaque_.pop_back();
+    } else {
+      drop_needless_quartics(sheets, extent);
+    }
   }
-  return all;
 }
 
-void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces, ResolvedScene& resolved_scene) {
-  const IntegerBody& body = scene.bodies[index];
-  const Extent extent = local_extent(body, scene.scissor);
+void BodyResolver::append(std::uint32_t index, ResolvedScene& resolved) {
+  const IntegerBody& body = scene_.bodies[index];
+  const Extent extent = local_extent(body, scene_.scissor);
   if (extent.x0 > extent.x1 || extent.y0 > extent.y1) return;
-  const bool hide = !all_faces && rays_start_outside(body);
-  const std::vector<Sheets> opaque = opaque_sheets(body, extent);
-  ArcTable arcs(body.origin[1]);
+  const bool hide = !all_faces_ && rays_start_outside(body);
+  find_opaque_sheets(body, extent);
+  arcs_.start_body(body.origin[1]);
+  bounds_.clear();
+  faces_.clear();
   QuarticTable table(extent.y0, extent.y1);
-  std::vector<ResolvedHalfSpace> resolved;
-  for (const Sheets& sheets : opaque) {
+  for (const Sheets& sheets : opaque_) {
     const HiddenExits exits = hide ? hidden_exits(body, sheets) : HiddenExits{};
-    resolved.push_back({sheets.half_space, face_cells(sheets, extent, exits, table, arcs)});
-    for (const FaceCells& face : resolved.back().faces) use_arcs(body, face, arcs);
+    bounds_.push_back(finder_.append_faces(sheets, extent, exits, table, arcs_, faces_));
   }
-  arcs.join_uses(index, extent, resolved_scene.arcs);
-  for (const ResolvedHalfSpace& half_space : resolved) {
-    for (const FaceCells& face : half_space.faces) {
-      if (face.cells.empty() && face.spans.empty()) continue;
-      append_face(body, {index, half_space.half_space, face.sheet}, face, arcs, resolved_scene);
-    }
+  for (const FaceCells& face : faces_) use_arcs(body, face, arcs_);
+  arcs_.join_uses(index, extent, resolved.arcs);
+  for (const FaceCells& face : faces_) {
+    if (face.cells.empty() && face.spans.empty()) continue;
+    append_face(body, {index, face.half_space, face.sheet}, face, arcs_, resolved);
   }
 }
 
@@ -90,10 +104,12 @@ void resolve_body(const IntegerScene& scene, std::uint32_t index, bool all_faces
 
 ResolvedScene resolve(const IntegerScene& scene, bool all_faces) {
   ResolvedScene result;
-  result.arcs.reserve(2 * scene.bodies.size());  // two for a ball; moving an arc is not free
   const std::vector<bool> hidden = all_faces ? std::vector<bool>(scene.bodies.size()) : hidden_bodies(scene);
+  const auto seen = static_cast<std::size_t>(std::count(hidden.begin(), hidden.end(), false));
+  result.arcs.reserve(2 * seen);  // two for a ball; moving an arc is not free
+  BodyResolver resolver(scene, all_faces);
   for (std::uint32_t i = 0; i < scene.bodies.size(); ++i) {
-    if (!hidden[i]) resolve_body(scene, i, all_faces, result);
+    if (!hidden[i]) resolver.append(i, result);
   }
   return result;
 }

@@ -43,7 +43,7 @@ class Runs {
     ++piece_;
   }
 
-  std::vector<RowInterval> take() {
+  RowIntervals take() {
     end_run();
     return std::move(intervals_);
   }
@@ -66,13 +66,13 @@ class Runs {
   int last_piece_;
   int piece_ = 0;
   int first_ = none;  // of the run
-  std::vector<RowInterval> intervals_;
+  RowIntervals intervals_;
 };
 
 }  // namespace
 
-std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
-                                       const PresenceOnLine& presence, std::uint32_t pole) {
+RowIntervals row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
+                           const PresenceOnLine& presence, std::uint32_t pole) {
   Runs runs(2 * static_cast<int>(roots.size()) + 1);
   int left = presence.hider_at(sample(roots, 0));
   runs.add(left == nothing_hides);

@@ -20,8 +20,10 @@ struct RowInterval {
   bool left_open = false, right_open = false;  // the root itself does not show: only a rational sheet's poles
 };
 
+using RowIntervals = ShortList<RowInterval>;
+
 // `bounds`: the curves of the roots. `pole`: the index of the curve on which a rational sheet does not exist, or no_arc.
-[[nodiscard]] std::vector<RowInterval> row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
-                                                     const PresenceOnLine& presence, std::uint32_t pole);
+[[nodiscard]] RowIntervals row_intervals(const std::vector<RowRoot>& roots, const BoundingCurves& bounds,
+                                         const PresenceOnLine& presence, std::uint32_t pole);
 
 }  // namespace halfspace

@@ -16,6 +16,7 @@
 #include "host/resolve/row_point.hpp"
 #include "host/resolve/sheet.hpp"
 #include "host/resolve/sheet_form.hpp"
+#include "host/resolve/short_list.hpp"
 
 namespace halfspace {
 
@@ -30,7 +31,7 @@ struct ScanRow {
 };
 
 // Marks are sorted, none twice.
-[[nodiscard]] std::vector<ScanRow> scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1);
+void find_scan_rows(const std::vector<Mark>& marks, std::int64_t y0, std::int64_t y1, std::vector<ScanRow>& rows);
 
 // A curve through a root: Branch::single means the curve with the sign that makes its x coefficient positive on this line.
 struct CurveBranch {
@@ -49,15 +50,15 @@ struct QuarticBranch {
 // One point of a scan line with every curve that passes through it.
 struct RowRoot {
   RowPoint x;
-  std::vector<CurveBranch> curves;
+  ShortList<CurveBranch> curves;
   std::vector<QuarticBranch> quartics;
 };
 
-// The roots of a face's curves, line by line, in memory that serves all its lines.
+// The roots of a face's curves, line by line, in memory that serves all lines of all faces.
 class RowRoots {
  public:
-  // Keeps references.
-  RowRoots(const Sheets& sheets, const BoundingCurves& bounds);
+  // The face's; keeps pointers.
+  void set_face(const Sheets& sheets, const BoundingCurves& bounds);
 
   // Ascending, distinct; until the next call. Points keep pointers to the curves.
   [[nodiscard]] const std::vector<RowRoot>& on_line(std::int64_t y);
@@ -67,8 +68,8 @@ class RowRoots {
   void add_quartic(std::uint32_t index, std::int64_t y);
   void insert(RowRoot&& root);
 
-  const Sheets& sheets_;
-  const BoundingCurves& bounds_;
+  const Sheets* sheets_ = nullptr;
+  const BoundingCurves* bounds_ = nullptr;
   std::vector<std::vector<EnclosedForm>> forms_;  // of each quartic's constraints
   std::vector<RowPoint> points_;                  // of one curve
   std::vector<RowRoot> roots_;

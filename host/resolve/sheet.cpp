@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "host/algebra/content.hpp"
 
@@ -9,9 +10,9 @@ namespace halfspace {
 namespace {
 
 void negate(Surface& surface) {
-  surface.a = -surface.a;
-  surface.b = -1 * surface.b;
-  surface.c = -1 * surface.c;
+  mpz_neg(surface.a.get_mpz_t(), surface.a.get_mpz_t());
+  negate(surface.b);
+  negate(surface.c);
   surface.sense = -surface.sense;
 }
 
@@ -134,8 +135,10 @@ void trace_meeting(const Sheets& sheets, std::uint32_t index, QuarticTable& tabl
   const bool later = k.half_space > sheets.half_space;
   if (is_zero(k.n)) return trace(k.p, std::nullopt, later, index, bounds.curves);
   const KnownFactors& parts = table.factors_of(k.n);
-  const auto terms = parts.curves.size() == 1 ? section_terms(sheets, k) : std::nullopt;
-  for (const Curve& part : parts.curves) trace(part, terms, later, index, bounds.curves);
+  const bool is_one = parts.curves.size() == 1;
+  for (const Curve& part : parts.curves) {
+    trace(part, is_one ? section_terms(sheets, k) : std::nullopt, later, index, bounds.curves);
+  }
   for (KnownQuartic* part : parts.quartics) add_quartic(sheets, part, index, parts.curves, bounds.quartics);
 }
 
@@ -151,34 +154,33 @@ Surface surface_of(const IntegerHalfSpace& half_space) {
   const auto& c = half_space.c;
   const int sense = half_space.complement ? -1 : 1;
   if (half_space.kind == HalfSpaceKind::plane) return {0, constant_curve(c[2]), {{0, 0, 0, c[0], c[1], c[3]}}, sense};
-  return {c[2], {{0, 0, 0, 2 * c[5], 2 * c[4], 2 * c[8]}}, {{c[0], 2 * c[3], c[1], 2 * c[6], 2 * c[7], c[9]}}, sense};
+  const auto twice = [&c](std::size_t i) { return sgn(c[i]) == 0 ? mpz_class() : mpz_class(2 * c[i]); };
+  return {c[2], {{0, 0, 0, twice(5), twice(4), twice(8)}}, {{c[0], twice(3), c[1], twice(6), twice(7), c[9]}}, sense};
 }
 
-Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space) {
-  Sheets sheets;
-  const IntegerHalfSpace& own = body.half_spaces[half_space];
-  sheets.half_space = half_space;
-  sheets.surface = surface_of(own);
-  sheets.curved = is_curved(own);
-  sheets.shape = shape_of(sheets.surface, sheets.curved);
-  if (sheets.shape == SheetShape::none) return sheets;
-  if (sgn(sheets.surface.a) < 0) negate(sheets.surface);
-  if (sheets.shape == SheetShape::two_sheets) {
-    const Surface& s = sheets.surface;
-    sheets.d = minus_multiple(product_of_lines(s.b, s.b), 4 * s.a, s.c);
+Sheets::Sheets(const IntegerBody& body, std::uint32_t index)
+    : half_space(index),
+      curved(is_curved(body.half_spaces[index])),
+      shape(SheetShape::none),
+      surface(surface_of(body.half_spaces[index])) {
+  shape = shape_of(surface, curved);
+  if (shape == SheetShape::none) return;
+  if (sgn(surface.a) < 0) negate(surface);
+  if (shape == SheetShape::two_sheets) {
+    d = product_of_lines(surface.b, surface.b);
+    subtract_multiple(d, 4 * surface.a, surface.c);
   }
-  sheets.constraints.reserve(body.half_spaces.size() - 1);
+  constraints.reserve(body.half_spaces.size() - 1);
   for (std::uint32_t k = 0; k < body.half_spaces.size(); ++k) {
-    if (k == half_space) continue;
-    Surface surface = surface_of(body.half_spaces[k]);
-    if (same_surface(sheets.surface, surface)) continue;
-    Constraint& other = sheets.constraints.emplace_back();
+    if (k == index) continue;
+    Surface other_surface = surface_of(body.half_spaces[k]);
+    if (same_surface(surface, other_surface)) continue;
+    Constraint& other = constraints.emplace_back();
     other.half_space = k;
-    other.surface = std::move(surface);
-    set_form(sheets, other);
-    if (sheets.curved) set_meeting(sheets, body.half_spaces[k], other);
+    other.surface = std::move(other_surface);
+    set_form(*this, other);
+    if (curved) set_meeting(*this, body.half_spaces[k], other);
   }
-  return sheets;
 }
 
 std::span<const Sheet> sheets_in(const Sheets& sheets) {
@@ -198,7 +200,12 @@ bool has_zero_constraint(const Sheets& sheets) {
 BoundingCurves bounding_curves(const Sheets& sheets, QuarticTable& table) {
   BoundingCurves bounds;
   std::vector<TracedCurve>& curves = bounds.curves;
-  if (sheets.shape == SheetShape::two_sheets) trace_own(sheets.d, Section{Curve{}, 1}, curves);
+  curves.reserve(1 + sheets.constraints.size());
+  if (sheets.shape == SheetShape::two_sheets) {
+    std::optional<Section> limb;
+    limb.emplace().factor = 1;
+    trace_own(sheets.d, std::move(limb), curves);
+  }
   if (sheets.shape == SheetShape::rational) trace_own(sheets.surface.b, std::nullopt, curves);
   for (std::uint32_t i = 0; i < sheets.constraints.size(); ++i) {
     const Constraint& k = sheets.constraints[i];

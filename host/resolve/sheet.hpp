@@ -46,15 +46,15 @@ struct Constraint {
 };
 
 struct Sheets {
-  std::uint32_t half_space = 0;
-  SheetShape shape = SheetShape::none;
+  Sheets(const IntegerBody& body, std::uint32_t index);
+
+  std::uint32_t half_space;
+  bool curved;
+  SheetShape shape;
   Surface surface;
-  Curve d;  // of two sheets
-  bool curved = false;
+  Curve d;                              // of two sheets
   std::vector<Constraint> constraints;  // without those on the same surface: their value is 0 on every sheet
 };
-
-[[nodiscard]] Sheets sheets_of(const IntegerBody& body, std::uint32_t half_space);
 
 // Those that the shape has, front before back.
 [[nodiscard]] std::span<const Sheet> sheets_in(const Sheets& sheets);

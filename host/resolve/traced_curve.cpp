@@ -19,31 +19,37 @@ Curve radical_line(const Curve& p, const Curve& q) {
   return minus_multiple(q.q[i] * p, p.q[i], q);
 }
 
-// Each factor's place among the curves, where it is put if it is new.
+// The place of a factor among the curves, where it is put if it is new.
+TracedCurve& place_of(Curve&& factor, std::optional<Section>&& section, std::vector<TracedCurve>& curves) {
+  const auto same = [&factor](const TracedCurve& known) { return same_curve(known.curve, factor); };
+  const auto known = std::find_if(curves.begin(), curves.end(), same);
+  if (known != curves.end()) return *known;
+  TracedCurve& added = curves.emplace_back();
+  added.curve = std::move(factor);
+  added.enclosed = interval_curve(added.curve);
+  added.section = std::move(section);
+  return added;
+}
+
 template <class Tell>
-void for_each_factor(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves, const Tell& tell) {
-  std::vector<Curve> factors;
-  append_factors(std::move(p), factors);
-  if (factors.size() != 1) section.reset();
-  for (Curve& factor : factors) {
-    const auto same = [&factor](const TracedCurve& known) { return same_curve(known.curve, factor); };
-    auto known = std::find_if(curves.begin(), curves.end(), same);
-    if (known == curves.end()) {
-      IntervalCurve enclosed = interval_curve(factor);
-      known =
-          curves.insert(known, {std::move(factor), enclosed, std::exchange(section, std::nullopt), false, false, {}});
-    }
-    tell(*known);
-  }
+void for_each_factor(Curve&& p, std::optional<Section>&& section, std::vector<TracedCurve>& curves, const Tell& tell) {
+  if (is_constant(p)) return;
+  make_canonical(p);
+  auto lines = rational_lines(p);
+  if (!lines) return tell(place_of(std::move(p), std::move(section), curves));
+  const bool is_double = same_curve((*lines)[0], (*lines)[1]);
+  if (!is_double) section.reset();
+  tell(place_of(std::move((*lines)[0]), std::move(section), curves));
+  if (!is_double) tell(place_of(std::move((*lines)[1]), std::nullopt, curves));
 }
 
 }  // namespace
 
-void trace_own(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves) {
+void trace_own(Curve p, std::optional<Section>&& section, std::vector<TracedCurve>& curves) {
   for_each_factor(std::move(p), std::move(section), curves, [](TracedCurve& traced) { traced.own = true; });
 }
 
-void trace(Curve p, std::optional<Section> section, bool later, std::uint32_t constraint,
+void trace(Curve p, std::optional<Section>&& section, bool later, std::uint32_t constraint,
            std::vector<TracedCurve>& curves) {
   for_each_factor(std::move(p), std::move(section), curves, [later, constraint](TracedCurve& traced) {
     traced.later = traced.later || later;

@@ -27,10 +27,10 @@ struct TracedCurve {
 };
 
 // Adds the factors of p, where the sheets begin.
-void trace_own(Curve p, std::optional<Section> section, std::vector<TracedCurve>& curves);
+void trace_own(Curve p, std::optional<Section>&& section, std::vector<TracedCurve>& curves);
 
 // Adds the factors of p, none twice, as zeros of a constraint; `section` is p's.
-void trace(Curve p, std::optional<Section> section, bool later, std::uint32_t constraint,
+void trace(Curve p, std::optional<Section>&& section, bool later, std::uint32_t constraint,
            std::vector<TracedCurve>& curves);
 
 // Lines that pass through every point where two curves of second order meet: p meets each of them there. None known: nothing.

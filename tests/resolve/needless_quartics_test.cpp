@@ -13,7 +13,7 @@ constexpr Extent page{-20, -20, 19, 19};
 // How many of the others are left on the sheets of the first half-space.
 std::size_t left_on_first(std::vector<IntegerHalfSpace> half_spaces) {
   const IntegerScene scene = page_with(std::move(half_spaces));
-  Sheets sheets = sheets_of(scene.bodies[0], 0);
+  Sheets sheets(scene.bodies[0], 0);
   drop_needless_quartics(sheets, page);
   return sheets.constraints.size();
 }
