@@ -94,29 +94,56 @@ struct ConicArc {
     form = SecondOrder<std::int64_t>::load(q[0], q[1], q[2], q[3], q[4], q[5], start.x - start.origin_x,
                                            start.y - start.origin_y);
   }
-  // Of 2 A x + B y + D, the mean of the differences to the next dot and from the last, x and x - xx, where A > 0: as a rule both have its sign.
-  [[nodiscard]] bool is_falling(std::int64_t x) const { return x < 0 || (x < form.xx && x + x < form.xx); }
-  [[nodiscard]] bool is_rising() const { return form.x >= form.xx || (form.x >= 0 && form.x + form.x > form.xx); }
-  // Of a dot with the value r and the difference x to the next.
-  [[nodiscard]] bool at_or_right(std::int64_t r, std::int64_t x) const {
-    if (branch == ArcBranch::left) return r <= 0 || !is_falling(x);
-    return r >= 0 && (branch == ArcBranch::single || !is_falling(x));
-  }
-  [[nodiscard]] bool at_or_right() const { return at_or_right(form.r, form.x); }
   [[nodiscard]] bool right() const {
     if (branch == ArcBranch::left) return form.r < 0 || is_rising();
     return form.r > 0 && (branch == ArcBranch::single || is_rising());
   }
-  bool back() {
-    const std::int64_t x = form.x - form.xx;
-    const std::int64_t r = form.r - x;
-    if (!at_or_right(r, x)) return false;
-    form.x = x;
-    form.r = r;
-    form.y -= form.xy;
-    return true;
+  void seek() {
+    const std::int64_t xx = form.xx;
+    switch (branch) {
+      case ArcBranch::left:
+        return seek([xx](std::int64_t r, std::int64_t x) { return r <= 0 || !is_falling(x, xx); });
+      case ArcBranch::right:
+        return seek([xx](std::int64_t r, std::int64_t x) { return r >= 0 && !is_falling(x, xx); });
+      default:
+        return seek([](std::int64_t r, std::int64_t) { return r >= 0; });
+    }
   }
   void step_y() { form.step_y(); }
+
+ private:
+  // Of 2 A x + B y + D, the mean of the differences to the next dot and from the last, x and x - xx, where A > 0: as a rule both have its sign.
+  [[nodiscard]] static bool is_falling(std::int64_t x, std::int64_t xx) { return x < 0 || (x < xx && x + x < xx); }
+  [[nodiscard]] bool is_rising() const { return form.x >= form.xx || (form.x >= 0 && form.x + form.x > form.xx); }
+
+  // `is_there`: whether a dot with the value r and the difference x to the next is at or right of the crossing.
+  template <class Test>
+  void seek(const Test& is_there) {
+    const std::int64_t xx = form.xx;
+    std::int64_t r = form.r;
+    std::int64_t x = form.x;
+    std::int32_t dot = at.x;
+    if (dot < at.x_end && !is_there(r, x)) {
+      do {
+        r += x;
+        x += xx;
+        ++dot;
+      } while (dot < at.x_end && !is_there(r, x));
+    } else {
+      while (dot > at.x_min) {
+        const std::int64_t last_x = x - xx;
+        const std::int64_t last_r = r - last_x;
+        if (!is_there(last_r, last_x)) break;
+        x = last_x;
+        r = last_r;
+        --dot;
+      }
+    }
+    form.r = r;
+    form.x = x;
+    form.y += form.xy * (dot - at.x);
+    at.x = static_cast<std::int16_t>(dot);
+  }
 };
 
 // One of 128 or 256 bits: its signs come from registers of the form's leading 64 bits, and where these cannot tell from the form itself.
@@ -201,7 +228,9 @@ struct WideConicArc {
 template <class Arc>
 std::int16_t seek(Arc& arc) {
   Cursor& at = arc.at;
-  if (at.x < at.x_end && !arc.at_or_right()) {
+  if constexpr (std::is_same_v<Arc, ConicArc>) {
+    arc.seek();
+  } else if (at.x < at.x_end && !arc.at_or_right()) {
     do {
       arc.form.step_x();
       ++at.x;
@@ -254,11 +283,12 @@ constexpr ArcModule module_that_rests = [] {
   module.ahead = [](const void* state, std::int32_t lines) {
     Arc arc = *static_cast<const Arc*>(state);
     CrossingsAhead ahead{};
-    const std::array<std::int32_t, 3> lines_between{lines / 2, lines / 2, lines % 2};
-    for (std::size_t i = 0; i < ahead.size(); ++i) {
-      arc.form.jump_y(lines_between[i]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      arc.form.jump_y(lines / 2);
       ahead[i] = seek(arc);
     }
+    if (lines % 2 != 0) arc.step_y();
+    ahead[2] = lines % 2 != 0 ? seek(arc) : ahead[1];
     return ahead;
   };
   return module;

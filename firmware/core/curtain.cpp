@@ -17,18 +17,4 @@ CrossingRange crossing_range(std::int32_t first, std::int32_t middle, std::int32
 
 void Curtain::open() { std::fill(columns_.begin(), columns_.end(), std::numeric_limits<std::int32_t>::max()); }
 
-void Curtain::cover(std::int32_t x0, std::int32_t x1, std::int32_t high) {
-  for (std::int32_t i = (x0 + column - 1) / column; (i + 1) * column <= x1 + 1; ++i) {
-    std::int32_t& depth = columns_[static_cast<std::size_t>(i)];
-    depth = std::min(depth, high);
-  }
-}
-
-bool Curtain::hides(std::int32_t x0, std::int32_t x1, std::int32_t low) const {
-  for (std::int32_t i = x0 / column; i * column <= x1; ++i) {
-    if (columns_[static_cast<std::size_t>(i)] >= low) return false;
-  }
-  return true;
-}
-
 }  // namespace halfspace

@@ -3,16 +3,17 @@
 //             x ->  |        |        |        |        |       columns of 16 dots, strips of 17 lines: tiles
 //             y     +--------+--------+--------+--------+
 //             |  ...|.. a ___|________|___ a   |        |       a tile keeps the depth behind which nothing shows: the least
-//             v     |    /   | a      | a  \ b | b  ... |       of `high` over the faces that cover all its dots
+//             v     |    /   | a      | a  \ b | b  ... |       over the faces that cover all its dots of the farthest there
 //                   +--------+--------+--------+--------+
 //
-//   Of 4000 atoms that fill a page seven deep, two in three lines of a cell lie behind the curtain, and cost nothing.
+//   Of 4000 atoms that fill a page seven deep, three in four lines of a cell lie behind the curtain, and cost nothing.
 // Exact   A face rests where on each of its dots another is nearer by whole dots; the nearest of all rests nowhere.
 // Arcs    A crossing's curvature keeps one sign (a line, or one branch of a conic), so between lines y, m and e, m in the middle, it lies
 //         between the chords and what they are produced to: within the hull of its places there and of 2 m - y and 2 m - e.
 // Memory  Four bytes a column, needed by every job: how many spans a line takes must not depend on what memory there is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -45,10 +46,23 @@ class Curtain {
   }
   // A strip begins with nothing hidden.
   void open();
-  // Dots x0 .. x1 of the strip's lines are covered by a face no farther than `high`.
-  void cover(std::int32_t x0, std::int32_t x1, std::int32_t high);
-  // Whether on dots x0 .. x1 >= 0 nothing from depth `low` on shows.
-  [[nodiscard]] bool hides(std::int32_t x0, std::int32_t x1, std::int32_t low) const;
+  // Dots x0 .. x1 of the strip's lines are covered by a face no nearer than `low`, and on dots a .. b no farther than high(a, b).
+  template <class High>
+  void cover(std::int32_t x0, std::int32_t x1, std::int32_t low, const High& high) {
+    for (std::int32_t x = (x0 + column - 1) / column * column; x + column <= x1 + 1; x += column) {
+      std::int32_t& depth = columns_[static_cast<std::size_t>(x / column)];
+      if (low < depth) depth = std::min(depth, high(x, x + column - 1));
+    }
+  }
+  // Whether on dots x0 .. x1 >= 0 nothing shows of a face no nearer than `low`, and on dots a .. b than nearest(a, b).
+  template <class Nearest>
+  [[nodiscard]] bool hides(std::int32_t x0, std::int32_t x1, std::int32_t low, const Nearest& nearest) const {
+    for (std::int32_t x = x0 / column * column; x <= x1; x += column) {
+      const std::int32_t depth = columns_[static_cast<std::size_t>(x / column)];
+      if (depth >= low && depth >= nearest(std::max(x, x0), std::min(x + column - 1, x1))) return false;
+    }
+    return true;
+  }
 
  private:
   static constexpr std::int32_t column = 16;  // dots

@@ -16,6 +16,7 @@ constexpr std::int32_t most_rows = 256;  // of a block
 constexpr std::int32_t columns = 4;      // of a proof by columns
 constexpr std::int32_t column_rows = 16;
 constexpr std::int32_t column_margin = 12;  // dots that its run may move by
+constexpr std::int64_t most_dots = largest_depth >> depth_fraction;
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
 
@@ -42,6 +43,34 @@ Interval root_over(const DepthBlock& k, const BlockPart& p) {
 }
 
 namespace {
+
+// A bound of the depth in whole dots, on the side of `sign`, from that of n.
+std::int64_t depth(const ActiveFace& face, std::int64_t n, int sign) {
+  const std::int64_t z = (n * face.inverse) >> face.block.shift;
+  const std::int64_t error = ((z < 0 ? -z : z) >> 29) + 2;
+  return ((z + sign * error) >> depth_fraction) + (sign > 0 ? 1 : 0) + face.origin_z;
+}
+
+// Of -b in units over the part, errors taken in.
+Interval numerator(const DepthBlock& k, const BlockPart& p) {
+  const std::int64_t start = k.b + k.bx * p.t0 + k.by * p.s0;
+  const std::int64_t x = k.bx * (p.t1 - p.t0);
+  const std::int64_t y = k.by * (p.s1 - p.s0);
+  const std::int64_t least = start + std::min<std::int64_t>(x, 0) + std::min<std::int64_t>(y, 0);
+  const std::int64_t greatest = start + std::max<std::int64_t>(x, 0) + std::max<std::int64_t>(y, 0);
+  return {-(greatest >> 16) - 3, -(least >> 16) + 2};
+}
+
+// Of the depth in whole dots over a part of the face's block.
+Interval depth_on(const ActiveFace& face, const BlockPart& p) {
+  Interval n = numerator(face.block, p);
+  if (face.kind == FaceKind::root) {
+    const Interval r = root_over(face.block, p);
+    n.low += face.sheet < 0 ? -r.high : r.low;
+    n.high += face.sheet < 0 ? -r.low : r.high;
+  }
+  return {depth(face, n.low, -1), depth(face, n.high, 1)};
+}
 
 class Maker {
  public:
@@ -94,42 +123,20 @@ class Maker {
     return shift + half;
   }
 
-  // Of -b in units, errors taken in.
-  [[nodiscard]] Interval numerator() const {
-    const std::int64_t x = k_.bx * w_;
-    const std::int64_t y = k_.by * h_;
-    const std::int64_t least = k_.b + std::min<std::int64_t>(x, 0) + std::min<std::int64_t>(y, 0);
-    const std::int64_t greatest = k_.b + std::max<std::int64_t>(x, 0) + std::max<std::int64_t>(y, 0);
-    return {-(greatest >> 16) - 3, -(least >> 16) + 2};
-  }
   void bound(int unit) {
     k_.low = INT32_MIN;
     k_.high = INT32_MAX;
     k_.error = -1;
     const int shift = f_.inverse_exponent - unit - depth_fraction;
-    const std::int64_t most = largest_depth >> depth_fraction;
-    if (shift < 0 || f_.origin_z > most || f_.origin_z < -most) return;
+    if (shift < 0 || f_.origin_z > most_dots || f_.origin_z < -most_dots) return;
     k_.shift = static_cast<std::int8_t>(std::min(shift, 63));
-    Interval n = numerator();
-    if (f_.kind == FaceKind::root) {
-      const Interval r = root_over(k_, {0, w_, 0, h_});
-      n.low += f_.sheet < 0 ? -r.high : r.low;
-      n.high += f_.sheet < 0 ? -r.low : r.high;
-    }
-    const std::int64_t low = depth(n.low, -1);
-    const std::int64_t high = depth(n.high, 1);
-    if (low < -most || high > most) return;
-    k_.low = static_cast<std::int32_t>(low);
-    k_.high = static_cast<std::int32_t>(high);
+    const Interval z = depth_on(f_, {0, w_, 0, h_});
+    if (z.low < -most_dots || z.high > most_dots) return;
+    k_.low = static_cast<std::int32_t>(z.low);
+    k_.high = static_cast<std::int32_t>(z.high);
     k_.error = (std::int64_t{6} * f_.inverse >> k_.shift) + 3;
     const std::int64_t shallow = isqrt(static_cast<std::uint64_t>(k_.shallow)) + 6;
     k_.shallow_error = (shallow * f_.inverse >> k_.shift) + 3;
-  }
-  // A bound of the depth in whole dots, on the side of `sign`, from that of n.
-  [[nodiscard]] std::int64_t depth(std::int64_t n, int sign) const {
-    const std::int64_t z = (n * f_.inverse) >> k_.shift;
-    const std::int64_t error = ((z < 0 ? -z : z) >> 29) + 2;
-    return ((z + sign * error) >> depth_fraction) + (sign > 0 ? 1 : 0) + f_.origin_z;
   }
 
   const ActiveFace& f_;
@@ -277,6 +284,14 @@ void make_depth(ActiveFace& face) {
       static_cast<std::uint32_t>((std::uint64_t{1} << 61) / static_cast<std::uint64_t>(scaled(face.c[2], bits - 31)));
   face.inverse_exponent = static_cast<std::int16_t>(bits + 30);
   if (face.kind == FaceKind::root) make_discriminant(face);
+}
+
+DepthBounds depth_over(const ActiveFace& face, std::int32_t y0, std::int32_t y1, std::int32_t a, std::int32_t b) {
+  const DepthBlock& k = face.block;
+  if (k.error < 0) return {k.low, k.high};
+  const Interval z = depth_on(face, {a - k.x0, b - k.x0, y0 - k.y0, y1 - k.y0});
+  return {static_cast<std::int32_t>(std::max<std::int64_t>(z.low, k.low)),
+          static_cast<std::int32_t>(std::min<std::int64_t>(z.high, k.high))};
 }
 
 // A limb moves by less than a dot a line but near its ends, so a quarter of a width of dots at the sides lasts for as many lines. A face

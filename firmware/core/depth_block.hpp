@@ -32,12 +32,19 @@ struct BlockPart {
 // Of the root of D in units over the part, errors taken in.
 [[nodiscard]] Interval root_over(const DepthBlock& block, const BlockPart& p);
 
+// Where the face lies on dots a .. b of lines y0 .. y1, which its block holds.
+struct DepthBounds {
+  std::int32_t low, high;  // whole dots of page depth
+};
+[[nodiscard]] DepthBounds depth_over(const ActiveFace& face, std::int32_t y0, std::int32_t y1, std::int32_t a,
+                                     std::int32_t b);
+
 // Makes the face's block hold dots a .. b of line y, and some more of them and of lines to come. Not for rational faces.
 void make_block(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b);
 
 // Makes it hold them for a strip of lines from y on, at the cost of a look where it does already.
 inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t b) {
-  if (face.block.y1 < y + strip_rows - 1) face.block.y1 = -1;  // an old one is not widened
+  if (face.block.y1 < std::min(y + strip_rows, largest_side) - 1) face.block.y1 = -1;  // an old one is not widened
   if (!face.block.holds(y, a, b)) make_block(face, y, a, b);
   return face.block;
 }

@@ -16,9 +16,8 @@ namespace halfspace {
 namespace {
 
 struct ArcSlot {
-  const ArcModule* module = nullptr;
   std::int16_t last = -1;     // scan line
-  ArcCrossing crossing;       // stale while it rests
+  std::uint8_t kind = 0;      // ArcKind
   std::int8_t rests_at = -1;  // the line of the strip where it stands while it rests; -1: it is awake
 };
 
@@ -58,6 +57,7 @@ class Arena {
 struct Pools {
   std::span<ActiveFace> faces;
   std::span<ArcSlot> arcs;
+  std::span<ArcCrossing> crossings;  // stale while an arc rests
   std::span<std::byte> arc_states;
   std::span<std::uint16_t> active_arcs, active_cells;
   std::span<CellSlot> cells;
@@ -81,6 +81,7 @@ Pools carve(Arena& arena, const JobHeader& h, std::int32_t band_rows) {
   Pools p;
   p.faces = arena.take<ActiveFace>(size(h.needs.faces));
   p.arcs = arena.take<ArcSlot>(size(h.needs.arcs));
+  p.crossings = arena.take<ArcCrossing>(size(h.needs.arcs));
   p.arc_states = arena.take<std::byte>(size(h.needs.arcs) * size(state_bytes(h)));
   p.active_arcs = arena.take<std::uint16_t>(size(h.needs.arcs));
   p.active_cells = arena.take<std::uint16_t>(size(h.needs.cells));
@@ -248,16 +249,16 @@ class Engine {
     module->load(in_, start, state(number));
     if (in_.failed()) return;
     if (p_.arcs[number].rests_at < 0 || !arcs_.wake(number)) arcs_.add(number);
-    p_.arcs[number] = {module, last, module->settle(state(number))};
+    p_.arcs[number] = {last, static_cast<std::uint8_t>(kind)};
+    settle(number);
   }
 
   void read_window(std::int32_t y) {
     const std::uint16_t number = slot(p_.arcs.size());
     if (in_.failed()) return;
-    ArcSlot& arc = p_.arcs[number];
-    if (arc.last < y || arc.module->enter_window == nullptr) return fail(DrawStatus::bad_record);
-    arc.module->enter_window(in_, state(number));
-    if (!in_.failed()) arc.crossing = arc.module->settle(state(number));
+    if (p_.arcs[number].last < y || arc_module(number).enter_window == nullptr) return fail(DrawStatus::bad_record);
+    arc_module(number).enter_window(in_, state(number));
+    if (!in_.failed()) settle(number);
   }
 
   void read_cell(std::int32_t y) {
@@ -291,7 +292,10 @@ class Engine {
     p_.cells[number].rational = p_.faces[cell.face].kind == FaceKind::rational;
   }
 
-  void* state(std::uint16_t arc) { return p_.arc_states.data() + arc * arc_bytes_; }
+  // Of an arc that a record filled.
+  [[nodiscard]] const ArcModule& arc_module(std::uint16_t arc) const { return *modules_.arcs[p_.arcs[arc].kind]; }
+  [[nodiscard]] void* state(std::uint16_t arc) const { return p_.arc_states.data() + arc * arc_bytes_; }
+  void settle(std::uint16_t arc) { p_.crossings[arc] = arc_module(arc).settle(state(arc)); }
 
   // --- the sweep ---
 
@@ -300,9 +304,8 @@ class Engine {
     if (y - strip_ == strip_rows) wake_all(y);
     cells_.remove([&](std::uint16_t number) { return p_.cells[number].last < y; });
     arcs_.remove([&](std::uint16_t number) {
-      ArcSlot& arc = p_.arcs[number];
-      if (arc.last < y) return true;
-      arc.crossing = arc.module->next(state(number));
+      if (p_.arcs[number].last < y) return true;
+      p_.crossings[number] = arc_module(number).next(state(number));
       return false;
     });
   }
@@ -312,7 +315,7 @@ class Engine {
   // Brings an arc that rests to line y of the strip.
   void jump(std::uint16_t number, std::int32_t y) {
     ArcSlot& arc = p_.arcs[number];
-    arc.module->jump_down(state(number), y - strip_ - arc.rests_at);
+    arc_module(number).jump_down(state(number), y - strip_ - arc.rests_at);
     arc.rests_at = -1;
   }
 
@@ -330,14 +333,14 @@ class Engine {
   void wake_arc(std::uint16_t number, std::int32_t y) {
     if (number == no_slot || p_.arcs[number].rests_at < 0) return;
     jump(number, y);
-    p_.arcs[number].crossing = p_.arcs[number].module->settle(state(number));
+    settle(number);
     arcs_.wake(number);
   }
 
-  // Where two cells in three and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip.
+  // Where half of the cells and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip.
   void begin_strip(std::int32_t y) {
     strip_ = y;
-    is_hung_ = static_cast<std::int32_t>(cells_.size()) > 3 * spans_.used();
+    is_hung_ = static_cast<std::int32_t>(cells_.size()) > 2 * spans_.used();
     if (!is_hung_) return;
     curtain_.open();
     rest_hidden(y, 0, 0);
@@ -351,11 +354,11 @@ class Engine {
     }
     for (const std::uint16_t number : arcs_.awake().subspan(first_arc)) {
       ArcSlot& arc = p_.arcs[number];
-      if (arc.module->ahead != nullptr) arc.rests_at = static_cast<std::int8_t>(y - strip_);
+      if (arc_module(number).ahead != nullptr) arc.rests_at = static_cast<std::int8_t>(y - strip_);
     }
     cells_.rest(first_cell, [&](std::uint16_t number) {
       CellSlot& cell = p_.cells[number];
-      cell.rests = cell.bounded && curtain_.hides(cell.x0, cell.x1, p_.faces[cell.face].block.low);
+      cell.rests = cell.bounded && hides(cell, y);
       if (cell.rests) return true;
       for (const std::uint16_t arc : {cell.left, cell.right}) {
         if (arc != no_slot) p_.arcs[arc].rests_at = -1;
@@ -363,6 +366,13 @@ class Engine {
       return false;
     });
     arcs_.rest(first_arc, [&](std::uint16_t number) { return p_.arcs[number].rests_at >= 0; });
+  }
+
+  [[nodiscard]] bool hides(const CellSlot& cell, std::int32_t y) const {
+    const ActiveFace& face = p_.faces[cell.face];
+    const std::int32_t last = std::min<std::int32_t>(cell.last, strip_ + strip_end);
+    return curtain_.hides(cell.x0, cell.x1, face.block.low,
+                          [&](std::int32_t a, std::int32_t b) { return depth_over(face, y, last, a, b).low; });
   }
 
   // Finds the dots between which a cell stays on what is left of the strip, and hangs its part of the curtain if that is all of it. False:
@@ -378,28 +388,31 @@ class Engine {
     cell.x0 = static_cast<std::int16_t>(std::max(left.low, h_.x0));
     cell.x1 = static_cast<std::int16_t>(std::min(right.high, h_.x1));
     if (cell.x0 > cell.x1) return false;
-    const DepthBlock& block = bounded_strip(p_.faces[cell.face], y, cell.x0, cell.x1);
-    if (lines == strip_end) curtain_.cover(left.high, right.low - 1, block.high);
+    ActiveFace& face = p_.faces[cell.face];
+    const DepthBlock& block = bounded_strip(face, y, cell.x0, cell.x1);
+    if (lines == strip_end) {
+      curtain_.cover(left.high, right.low - 1, block.low,
+                     [&](std::int32_t a, std::int32_t b) { return depth_over(face, y, end, a, b).high; });
+    }
     return true;
   }
 
   [[nodiscard]] bool is_seen_ahead(std::uint16_t arc, std::int32_t y) const {
-    return arc == no_slot || (p_.arcs[arc].last >= y && p_.arcs[arc].module->ahead != nullptr);
+    return arc == no_slot || (p_.arcs[arc].last >= y && arc_module(arc).ahead != nullptr);
   }
 
   // On so many lines to come.
   [[nodiscard]] CrossingRange range_of(std::uint16_t number, std::int32_t lines) {
-    const ArcSlot& arc = p_.arcs[number];
-    const auto [middle, end, last] = arc.module->ahead(state(number), lines);
-    const CrossingRange range = crossing_range(arc.crossing.at_or_right, middle, end, h_.x0, h_.x1);
+    const auto [middle, end, last] = arc_module(number).ahead(state(number), lines);
+    const CrossingRange range = crossing_range(p_.crossings[number].at_or_right, middle, end, h_.x0, h_.x1);
     return {std::min<std::int32_t>(range.low, last), std::max<std::int32_t>(range.high, last)};
   }
 
   // The dots of a cell on the current line: closed between its arcs.
   void place(CellSlot& cell, std::int32_t y) {
     if (!cell.fixed) {
-      cell.x0 = cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.arcs[cell.left].crossing.at_or_right;
-      cell.x1 = static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.arcs[cell.right].crossing.right - 1);
+      cell.x0 = cell.left == no_slot ? static_cast<std::int16_t>(h_.x0) : p_.crossings[cell.left].at_or_right;
+      cell.x1 = static_cast<std::int16_t>(cell.right == no_slot ? h_.x1 : p_.crossings[cell.right].right - 1);
     }
     if (!cell.rational) return;
     const ActiveFace& face = p_.faces[cell.face];

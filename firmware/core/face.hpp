@@ -104,15 +104,9 @@ struct DepthProof {
   }
 };
 
+// What a line asks for stands in front.
 struct ActiveFace {
-  DepthBlock block;                  // about the dots last asked for
-  std::array<DepthProof, 2> proofs;  // the newest first
-  std::array<Wide<128>, 10> c;
-  RootSurface surface;  // of a root face, and of a rational one whose normal is a polynomial
-  std::int64_t origin_z = 0;
-  std::int32_t origin_x = 0, origin_y = 0;
-  std::uint32_t inverse = 0;  // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_depth()
-  std::int16_t inverse_exponent = 0;
+  DepthBlock block;         // about the dots last asked for
   std::uint32_t order = 0;  // of equally near faces the lowest wins
   FaceKind kind = FaceKind::plane;
   std::int8_t sheet = 0;       // root: -1 front, +1 back
@@ -120,6 +114,13 @@ struct ActiveFace {
   std::uint8_t level = 0;      // plane: its one level
   std::int16_t last_line = 0;  // curved: of its cells, as the job says
   bool ready = false;          // curved: FaceModule::enter was called, as a dot of it was seen
+  std::int16_t inverse_exponent = 0;
+  std::uint32_t inverse = 0;         // 1 / c2 = inverse 2^-inverse_exponent to one part in 2^30: make_depth()
+  std::array<DepthProof, 2> proofs;  // the newest first
+  std::int64_t origin_z = 0;
+  std::int32_t origin_x = 0, origin_y = 0;
+  std::array<Wide<128>, 10> c;
+  RootSurface surface;  // of a root face, and of a rational one whose normal is a polynomial
 };
 
 // A depth divides by c2 (face.c): a slot that no record filled, or a record that lies, has none.

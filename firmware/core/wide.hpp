@@ -85,9 +85,7 @@ class Wide {
   constexpr Wide operator-() const { return Wide() - *this; }
   friend constexpr Wide operator*(const Wide& a, const Wide& b) {
     if constexpr (is_pair) return of_pair(a.pair() * b.pair());
-    const bool negate = a.negative() != b.negative();
-    const Wide product = multiply_magnitudes(a.magnitude(), b.magnitude());
-    return negate ? -product : product;
+    return a.is_zero() || b.is_zero() ? Wide() : product(a, b);
   }
 
   // The product with a small number: one pass over the limbs, no sign handling (modulo 2^Bits it comes out right).
@@ -180,6 +178,12 @@ class Wide {
     int n = limbs;
     while (n > 0 && limb_[n - 1] == 0) --n;
     return n;
+  }
+  // Not inlined: a face's forms take a hundred.
+  [[gnu::noinline]] static constexpr Wide product(const Wide& a, const Wide& b) {
+    const bool negate = a.negative() != b.negative();
+    const Wide product = multiply_magnitudes(a.magnitude(), b.magnitude());
+    return negate ? -product : product;
   }
   static constexpr Wide multiply_magnitudes(const Wide& a, const Wide& b) {
     Wide r;

@@ -73,16 +73,22 @@ TEST(Curtain, HidesOnlyWhatCoveredDotsHide) {
       const auto a = static_cast<std::int32_t>(between(dice, 0, width - 1));
       const auto b = static_cast<std::int32_t>(between(dice, -1, width - 1));
       const auto high = static_cast<std::int32_t>(between(dice, -20, 20));
-      curtain.cover(a, b, high);
-      for (std::int32_t x = a; x <= b; ++x) dots[x] = std::min(dots[x], high);
+      curtain.cover(a, b, high - 20, [high](std::int32_t from, std::int32_t to) {
+        EXPECT_EQ(to - from, 15);
+        return high + (from & 16);
+      });
+      for (std::int32_t x = a; x <= b; ++x) dots[x] = std::min(dots[x], high + (x & 16));
     }
     for (int i = 0; i < 20; ++i) {
       const auto a = static_cast<std::int32_t>(between(dice, 0, width - 1));
       const auto b = static_cast<std::int32_t>(between(dice, a, width - 1));
       const auto low = static_cast<std::int32_t>(between(dice, -20, 20));
-      if (!curtain.hides(a, b, low)) continue;
+      const auto nearest = [low](std::int32_t from, std::int32_t to) { return low + (from / 16 + to / 16) % 7; };
+      if (!curtain.hides(a, b, low, nearest)) continue;
       ++hidden;
-      for (std::int32_t x = a; x <= b; ++x) ASSERT_LT(dots[x], low) << "trial " << trial << " dot " << x;
+      for (std::int32_t x = a; x <= b; ++x) {
+        ASSERT_LT(dots[x], nearest(x, x)) << "trial " << trial << " dot " << x;
+      }
     }
   }
   EXPECT_GT(hidden, 1000);
