@@ -74,6 +74,7 @@ class StraightSpan {
     }
     run.end(x1_);
     job_.counters.level_spans += static_cast<std::uint32_t>(1 + end - from);
+    if (split_ != nullptr) split();
   }
 
   // Leaves out entries to a level that looks like the last one: these matter nowhere, as beside its interval, and in it, the level is one of
@@ -112,7 +113,7 @@ class StraightSpan {
       if (x != asked_) {
         const std::int32_t level = ask(x, level_of(entry));
         run.change(x, level);
-        if (s_.left_slope == 0 && s_.width_slope == 0) move_off(entry, x, level);
+        if (s_.left_slope == 0 && s_.width_slope == 0) settle_column(entry, x, level);
       }
       if (x < x1_) run.change(x + 1, level_of(entry));
     }
@@ -142,21 +143,43 @@ class StraightSpan {
     return search_level(job_.table, guess, [&](std::int32_t k) { return reaches_level(job_, x, y_, k); });
   }
 
-  // Where rulings are columns and a dot of one has told its level, all have: the entry is moved off them, to the side where it changes.
-  [[gnu::noinline]] void move_off(std::uint32_t entry, std::int32_t x, std::int32_t level) {
+  // Where rulings are columns and a dot has told its level, all dots of its column have: the entry is moved off them, to the side where it
+  // changes; or to both sides, once the line is done, where a ridge touches a level in the column alone.
+  [[gnu::noinline]] void settle_column(std::uint32_t entry, std::int32_t x, std::int32_t level) {
     if (job_.face.kind != FaceKind::root || !job_.face.surface.is_upright()) return;
-    std::uint32_t* const at = std::find(entries_, entries_ + s_.entries, entry);
-    if (at == entries_ || at + 1 >= entries_ + s_.entries) return;
-    const bool is_left = level == level_of(entry);
-    if (!is_left && level != level_of(at[-1])) return;
-    const std::int32_t places = is_left ? unsure_ + 1 : 2 * unsure_ + 2;
-    const std::uint32_t step = static_cast<std::uint32_t>((std::uint64_t{1} << 32) / width_ + 1) *
-                               static_cast<std::uint32_t>(places);  // < 2^17 2^13
-    const std::uint32_t moved = ((is_left ? entry - step : entry + step) >> entry_level_bits << entry_level_bits) |
-                                static_cast<std::uint32_t>(level_of(entry));
-    const std::int32_t place = place_of(moved);
-    const bool is_ordered = is_left ? at[-1] < moved && moved < entry : entry < moved && moved < at[1];
-    if (is_ordered && place >> place_bits == (is_left ? x - 1 : x) && (place & (one_dot - 1)) > unsure_) *at = moved;
+    std::uint32_t* const end = entries_ + s_.entries;
+    std::uint32_t* const at = std::find(entries_, end, entry);
+    if (at == entries_ || at + 1 >= end) return;
+    const std::int32_t before = level_of(at[-1]), behind = level_of(entry);
+    const bool moves_left = level != before, moves_right = !moves_left || level != behind;
+    const std::uint32_t left = moved(entry, -(unsure_ + 1), level);
+    const std::uint32_t right = moved(entry, 2 * unsure_ + 2, behind);
+    if (moves_left && (left <= at[-1] || !is_certain(left, x - 1))) return;
+    if (moves_right && (right >= at[1] || !is_certain(right, x))) return;
+    if (!moves_left || !moves_right) {
+      *at = moves_left ? left : right;
+    } else if (before == behind) {
+      split_ = at;
+      split_left_ = left;
+      split_right_ = right;
+    }
+  }
+  void split() {
+    std::uint32_t* const end = entries_ + s_.entries;
+    if (static_cast<std::size_t>(s_.entries) == job_.contours->block.size()) return;
+    std::copy_backward(split_ + 1, end, end + 1);
+    split_[0] = split_left_;
+    split_[1] = split_right_;
+    ++job_.contours->straight.entries;
+  }
+  [[nodiscard]] std::uint32_t moved(std::uint32_t entry, std::int32_t places, std::int32_t level) const {
+    const auto a_place = static_cast<std::uint32_t>((std::uint64_t{1} << 32) / width_ + 1);
+    const std::uint32_t there = entry + a_place * static_cast<std::uint32_t>(places);  // by less than 2^17 2^13
+    return there >> entry_level_bits << entry_level_bits | static_cast<std::uint32_t>(level);
+  }
+  [[nodiscard]] bool is_certain(std::uint32_t entry, std::int32_t x) const {
+    const std::int32_t place = place_of(entry);
+    return place >> place_bits == x && (place & (one_dot - 1)) > unsure_;
   }
 
   const ShadeJob& job_;
@@ -168,6 +191,8 @@ class StraightSpan {
   std::int32_t base_ = 0, unsure_ = 0;  // of where an entry's level holds for sure, and by how much less it may
   std::int32_t blur_ = 0;               // unsure_ of an entry without its low bits
   std::int32_t asked_ = -1;             // the dot last asked for
+  std::uint32_t* split_ = nullptr;      // an entry to be replaced by two
+  std::uint32_t split_left_ = 0, split_right_ = 0;
 };
 
 }  // namespace
