@@ -12,7 +12,7 @@ constexpr double precision = 0x1p-44;
 constexpr DepthInterval everywhere{};
 constexpr DepthInterval nowhere{1, 0};
 
-// c0 .. c9 of a quadric, negative inside, as multiples of one number; false: too far apart.
+// c0 .. c9 of a quadric, negative inside, as multiples of one number; false: too far apart. They may all be 0.
 bool scaled(const IntegerHalfSpace& half_space, std::array<double, 10>& c) {
   const bool is_plane = half_space.kind == HalfSpaceKind::plane;
   std::array<double, 10> mantissa{};
@@ -27,7 +27,7 @@ bool scaled(const IntegerHalfSpace& half_space, std::array<double, 10>& c) {
     most = std::max(most, exponent[at]);
     least = std::min(least, exponent[at]);
   }
-  if (most - least > widest) return false;
+  if (most > least && most - least > widest) return false;
   for (std::size_t i = 0; i < c.size(); ++i) {
     if (mantissa[i] == 0) continue;
     const double value = std::ldexp(mantissa[i], static_cast<int>(exponent[i] - most));

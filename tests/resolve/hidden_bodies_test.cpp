@@ -120,6 +120,12 @@ TEST(DepthForm, TellsNothingOfCoefficientsTooFarApart) {
   EXPECT_TRUE(bounds.must.empty());
 }
 
+TEST(DepthForm, OfZeroHoldsEverywhere) {
+  const DepthBounds bounds = DepthForm(plane(0, 0, 0, 0), 20, 20).over({0, 0, 1, 1});
+  EXPECT_EQ(bounds.must.low, -no_bound);
+  EXPECT_EQ(bounds.must.high, no_bound);
+}
+
 TEST(DepthForm, SilhouetteOfASphereIsNearlyTight) {
   const DotRectangle s = DepthForm(sphere(3, -4, 5, 100), 20, 20).silhouette();
   EXPECT_NEAR(s.x, 3, 1e-6);
