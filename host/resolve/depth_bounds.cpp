@@ -1,6 +1,7 @@
 #include "host/resolve/depth_bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -69,9 +70,9 @@ DepthForm::DepthForm(const IntegerHalfSpace& half_space, double largest_x, doubl
 }
 
 // 2 b z + c <= 0
-DepthBounds DepthForm::on_one_side(const DepthInterval& b, const DepthInterval& c) {
+HoldingDepths DepthForm::on_one_side(const DepthInterval& b, const DepthInterval& c) {
   const auto at = [](double free, double slope) { return around(-free / (2 * slope), -free / (2 * slope)); };
-  DepthBounds bounds;
+  HoldingDepths bounds;
   if (b.low > 0) {
     bounds.may.high = std::max(at(c.low, b.low).high, at(c.low, b.high).high);
     bounds.must.high = std::min(at(c.high, b.low).low, at(c.high, b.high).low);
@@ -86,7 +87,7 @@ DepthBounds DepthForm::on_one_side(const DepthInterval& b, const DepthInterval& 
   return bounds;
 }
 
-DepthBounds DepthForm::over(const DotRectangle& dots) const {
+HoldingDepths DepthForm::over(const DotRectangle& dots) const {
   if (kind_ == Kind::unknown) return {everywhere, nowhere, nowhere};
   const DepthInterval q = q_.over(dots);
   if (kind_ == Kind::between && q.high < 0) return {nowhere, nowhere, nowhere};
@@ -107,7 +108,7 @@ DepthBounds DepthForm::over(const DotRectangle& dots) const {
 DotRectangle DepthForm::silhouette() const {
   constexpr double least_determinant = 0x1p-20, slack = 0x1p-28;
   const double determinant = q_.xx * q_.yy - q_.xy * q_.xy;
-  if (kind_ != Kind::between || q_.xx >= 0 || determinant < least_determinant * q_.xx * q_.yy) {
+  if (kind_ != Kind::between || q_.xx >= 0 || determinant <= least_determinant * q_.xx * q_.yy) {
     return {0, 0, no_bound, no_bound};
   }
   const auto difference = [determinant](double u, double v) {

@@ -29,7 +29,7 @@ struct DepthInterval {
   [[nodiscard]] bool empty() const { return low > high; }
 };
 
-struct DepthBounds {
+struct HoldingDepths {
   DepthInterval may;         // nowhere else does it hold, on any dot
   DepthInterval must;        // there it does on all dots, but for `hole`
   DepthInterval hole{1, 0};  // closed
@@ -40,7 +40,7 @@ class DepthForm {
   // For rectangles whose dots have no |x| and |y| larger than these.
   DepthForm(const IntegerHalfSpace& half_space, double largest_x, double largest_y);
 
-  [[nodiscard]] DepthBounds over(const DotRectangle& dots) const;
+  [[nodiscard]] HoldingDepths over(const DotRectangle& dots) const;
 
   // A rectangle outside which it holds nowhere: of an ellipsoid about its silhouette, else without end.
   [[nodiscard]] DotRectangle silhouette() const;
@@ -66,7 +66,7 @@ class DepthForm {
     [[nodiscard]] DepthInterval over(const DotRectangle& dots) const;
   };
 
-  [[nodiscard]] static DepthBounds on_one_side(const DepthInterval& b, const DepthInterval& c);
+  [[nodiscard]] static HoldingDepths on_one_side(const DepthInterval& b, const DepthInterval& c);
 
   Kind kind_ = Kind::unknown;
   Linear b_;     // the middle of the roots, where there are two

@@ -138,7 +138,7 @@ class BodyForm {
     double clear = no_bound;  // all transparent half-spaces, which show no face, hold from the eye to here
     holes_.clear();
     for (const Form& form : forms_) {
-      const DepthBounds bounds = form.form.over(dots);
+      const HoldingDepths bounds = form.form.over(dots);
       may = meet(may, bounds.may);
       if (may.empty()) return {.is_absent = true};
       must = meet(must, bounds.must);
@@ -164,7 +164,7 @@ class BodyForm {
     if (middle + reach < last) last = static_cast<std::int32_t>(std::max(std::floor(middle + reach), first - 1.0));
   }
   // How far a half-space holds all the way from the eye.
-  static double clear_depth(const DepthBounds& bounds) {
+  static double clear_depth(const HoldingDepths& bounds) {
     if (bounds.must.low != -no_bound || !bounds.hole.empty()) return -no_bound;
     return bounds.must.high;
   }

@@ -68,7 +68,8 @@ std::vector<double> depths_outside(const DepthInterval& i) {
   return depths;
 }
 
-void expect_bounds(const IntegerHalfSpace& h, const Rectangle& r, const DepthBounds& bounds, const std::string& name) {
+void expect_bounds(const IntegerHalfSpace& h, const Rectangle& r, const HoldingDepths& bounds,
+                   const std::string& name) {
   for (std::int64_t y = r.y0; y <= r.y1; ++y) {
     for (std::int64_t x = r.x0; x <= r.x1; ++x) {
       for (const double z : depths_outside(bounds.may)) ASSERT_GT(sign_at(h, x, y, z), 0) << name << " at " << z;
@@ -94,7 +95,7 @@ TEST(DepthForm, BoundsHoldOnEveryDot) {
       }
       const DepthForm form(h, reach, reach);
       const Rectangle r = random_rectangle(dice, reach);
-      const DepthBounds bounds = form.over(r.dots());
+      const HoldingDepths bounds = form.over(r.dots());
       expect_bounds(h, r, bounds, "seed " + std::to_string(seed));
       if (HasFatalFailure()) return;
       told += bounds.may.empty() || std::isfinite(bounds.may.low) || std::isfinite(bounds.may.high) ? 1 : 0;
@@ -114,14 +115,14 @@ TEST(DepthForm, BoundsHoldOnEveryDot) {
 TEST(DepthForm, TellsNothingOfCoefficientsTooFarApart) {
   IntegerHalfSpace h = sphere(0, 0, 0, 100);
   h.c[9] <<= 500;
-  const DepthBounds bounds = DepthForm(h, 20, 20).over({0, 0, 1, 1});
+  const HoldingDepths bounds = DepthForm(h, 20, 20).over({0, 0, 1, 1});
   EXPECT_EQ(bounds.may.low, -no_bound);
   EXPECT_EQ(bounds.may.high, no_bound);
   EXPECT_TRUE(bounds.must.empty());
 }
 
 TEST(DepthForm, OfZeroHoldsEverywhere) {
-  const DepthBounds bounds = DepthForm(plane(0, 0, 0, 0), 20, 20).over({0, 0, 1, 1});
+  const HoldingDepths bounds = DepthForm(plane(0, 0, 0, 0), 20, 20).over({0, 0, 1, 1});
   EXPECT_EQ(bounds.must.low, -no_bound);
   EXPECT_EQ(bounds.must.high, no_bound);
 }
