@@ -23,7 +23,8 @@ struct Plan {
   std::vector<PageSize> raster3d_pages{{2000, 2000, 65}, {4000, 4000, 65}};
   int atoms = 4000;
   std::vector<int> resolver_atoms{1000, 3000, 10000};
-  int runs = 5;
+  int runs = 5;         // of a drawing; the median counts
+  int whole_runs = 15;  // of a whole scene, beside other programs
   bool board = true;
   std::int32_t board_radius = 500;
   std::vector<BoardSize> board_sizes{{5, 2},    {5, 65},    {5, 256}, {25, 17},   {25, 65},   {100, 2},   {100, 17},
@@ -40,7 +41,7 @@ struct Plan {
   plan.raster3d_pages = {{48, 48, 65}};
   plan.atoms = 20;
   plan.resolver_atoms = {10};
-  plan.runs = 1;
+  plan.runs = plan.whole_runs = 1;
   plan.board = false;
   return plan;
 }

@@ -63,8 +63,8 @@ class Reporter {
     fmt::print(stderr, "warning: {}\n", why);
   }
 
-  // Our rows. Returns the truth, for others' rows beside them.
-  Truth add(const SceneText& source, const PageSize& size, bool from_text) {
+  // Our rows; of a `whole` scene from its text, too. Returns the truth, for others' rows beside them.
+  Truth add(const SceneText& source, const PageSize& size, bool whole) {
     tell(fmt::format("{} on {} x {}, {} levels", source.name, size.width, size.height, size.levels));
     Subject subject = make_subject(source, size);
     if (!subject.refusal.empty()) {
@@ -72,7 +72,7 @@ class Reporter {
       return {};
     }
     Truth truth = true_levels(subject.scene, most_judged_dots, source.suite != "hard");
-    const Rows rows = measure(subject, truth, {.runs = plan_.runs, .from_text = from_text});
+    const Rows rows = measure(subject, truth, {.runs = whole ? plan_.whole_runs : plan_.runs, .from_text = whole});
     ours_.insert(ours_.end(), rows.begin(), rows.end());
     subjects_.push_back(std::move(subject));
     return truth;
@@ -113,7 +113,7 @@ class Reporter {
   }
 
   [[nodiscard]] OtherRequest asked(const PageSize& size) const {
-    return {size.width, size.height, size.levels, plan_.runs};
+    return {size.width, size.height, size.levels, plan_.whole_runs};
   }
 
   void beside_povray(const std::string& name) {
