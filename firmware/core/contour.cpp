@@ -122,12 +122,22 @@ bool shade_sphere(const ShadeJob& job, Shader shader, std::int32_t y, std::int32
   return face.kind == ContourKind::sphere && sphere_contour(job, y, x0, x1);
 }
 
+constexpr std::int32_t chosen_lines = 8;
+
+// By the way that was the cheapest a few lines above: of those whose set-up is done.
+bool shade_as_chosen(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32_t x1) {
+  if (job.contours->kind == ContourKind::sphere) return sphere_contour(job, y, x0, x1);
+  return straight_contour(job, y, x0, x1);
+}
+
 bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   FaceContours& face = *job.contours;
   if (face.kind == ContourKind::unknown) face.kind = kind_of(job);
   if (face.kind == ContourKind::none) return false;
+  if (y < face.chosen_until && shade_as_chosen(job, y, x0, x1)) return true;
   if (face.kind == ContourKind::sphere) {
     const bool done = shade_sphere(job, shader, y, x0, x1);
+    if (done) face.chosen_until = y + chosen_lines;
     if (done || face.kind == ContourKind::sphere) return done;
   }
   face.dear -= face.dear / 4;
@@ -142,7 +152,8 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
                             ways.survey + ways.survey_level * std::min(2 * costs.r + 8, job.table.levels)};
   const bool by_rulings = survey.gain > 0 && face.kind != ContourKind::general;
   if (by_rulings && face.kind == ContourKind::straight && straight_contour(job, y, x0, x1)) {
-    face.straight.missed += survey.gain / 2;
+    face.straight.missed += chosen_lines * survey.gain / 2;
+    face.chosen_until = y + chosen_lines;
     return true;
   }
   const bool due = by_rulings && is_survey_due(face.straight, lines, survey);

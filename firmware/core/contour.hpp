@@ -32,6 +32,7 @@ struct FaceContours {
   ContourKind kind = ContourKind::unknown;
   std::int32_t corner_line = unknown_line;  // of a straight one, once it matters
   std::uint32_t gaps = 0, steps = 0;        // of the last span of two dots or more: levels met from dot to dot
+  std::int32_t chosen_until = no_line;      // the line from which its way is compared with others again
   Chance begun;                             // of its way but straight contours
   std::int32_t dear = 0;                    // what its last span by general contours took more than it should have
   SphereContours sphere;

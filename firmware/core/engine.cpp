@@ -111,6 +111,8 @@ void carve_contours(Arena& arena, const JobHeader& h, Pools& p) {
 
 // Lines of a strip that a cell may rest on, at least: to find out costs about as much as three of them.
 constexpr std::int32_t least_rest = 4;
+// Cells of a line that a curtain is worth.
+constexpr std::int32_t least_cells = 16;
 
 class Engine {
  public:
@@ -337,10 +339,10 @@ class Engine {
     arcs_.wake(number);
   }
 
-  // Where half of the cells and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip.
+  // Where half of many cells and more showed nothing on the last line, a curtain is drawn with the cells that last all the strip.
   void begin_strip(std::int32_t y) {
     strip_ = y;
-    is_hung_ = static_cast<std::int32_t>(cells_.size()) > 2 * spans_.used();
+    is_hung_ = static_cast<std::int32_t>(cells_.size()) > std::max(2 * spans_.used(), least_cells);
     if (!is_hung_) return;
     curtain_.open();
     rest_hidden(y, 0, 0);

@@ -25,18 +25,10 @@ void RowPainter::fill(std::int32_t x0, std::int32_t x1, std::int32_t level) { Ru
 
 // Four bytes at once: compilers make one store of them where the machine allows it.
 void RowPainter::copy_to(std::span<std::uint8_t> bytes) const {
-  std::uint8_t* to = bytes.data();
-  const std::size_t whole = bytes.size() / 4;
-  for (const std::uint32_t word : words_.first(whole)) {
-    to[0] = static_cast<std::uint8_t>(word >> 24);
-    to[1] = static_cast<std::uint8_t>(word >> 16);
-    to[2] = static_cast<std::uint8_t>(word >> 8);
-    to[3] = static_cast<std::uint8_t>(word);
-    to += 4;
-  }
-  for (std::size_t i = 4 * whole; i < bytes.size(); ++i) {
-    bytes[i] = static_cast<std::uint8_t>(words_[whole] >> (24 - i % 4 * 8));
-  }
+  const std::byte* from = std::as_bytes(words_).data();
+  std::byte* to = std::as_writable_bytes(bytes).data();
+  for (std::size_t i = bytes.size() / 4; i > 0; --i, from += 4, to += 4) std::copy_n(from, 4, to);
+  for (std::size_t i = bytes.size() % 4; i > 0; --i) *to++ = *from++;
   const bool has_spare_bits = page_.format == DotFormat::bilevel && page_.width % 8 != 0;
   if (has_spare_bits) bytes.back() &= static_cast<std::uint8_t>(0xff00U >> (page_.width % 8));
 }

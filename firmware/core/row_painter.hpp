@@ -1,9 +1,10 @@
 // row_painter.hpp - spans of one level become one scan line of a band: words of stipple, or of levels.
 // Row     Words of 32 bits, the leftmost dot in the most significant ones: 32 dots of a bilevel page, 4 of a gray one. So both are painted
-//         alike: a level has a pattern of 16 bits that repeats along the line.
+//         alike: a level has a pattern of 16 bits that repeats along the line. They are stored as a band's bytes.
 // Owner   The row's words are lent for the painter's life.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -17,6 +18,12 @@ namespace halfspace {
 constexpr std::size_t row_words(const Page& page) {
   return page.format == DotFormat::bilevel ? (static_cast<std::size_t>(page.width) + 31) / 32
                                            : (static_cast<std::size_t>(page.width) + 3) / 4;
+}
+
+// A word as it is stored, its most significant byte first, and back.
+constexpr std::uint32_t stored_word(std::uint32_t word) {
+  if constexpr (std::endian::native == std::endian::big) return word;
+  return word << 24 | (word & 0xff00U) << 8 | (word >> 8 & 0xff00U) | word >> 24;
 }
 
 class RowPainter {
@@ -66,14 +73,14 @@ class Runs {
     const std::uint32_t at = static_cast<std::uint32_t>(x0) << dot_bits_;
     to_ = row.words_.data() + at / 32;
     base_ = at & ~31U;
-    open_ = *to_;
+    open_ = stored_word(*to_);
     paint(at - base_, level);
   }
   // Dots from x on take the level.
   void change(std::int32_t x, std::int32_t level) { paint(reach(x), level); }
   void end(std::int32_t x1) {
     const std::uint32_t beyond = 0xffffffffU >> (1U << dot_bits_) >> reach(x1);
-    *to_ = (open_ & ~beyond) | (*to_ & beyond);
+    *to_ = stored_word((open_ & ~beyond) | (stored_word(*to_) & beyond));
   }
 
  private:
@@ -83,8 +90,8 @@ class Runs {
     if (bit < 32) return bit;
     if (static_cast<std::int32_t>(bit) < 0) return 0;  // only where a job lies
     base_ += bit & ~31U;
-    *to_++ = open_;
-    for (; bit >= 64; bit -= 32) *to_++ = word_;
+    *to_++ = stored_word(open_);
+    for (; bit >= 64; bit -= 32) *to_++ = stored_word(word_);
     open_ = word_;
     return bit - 32;
   }

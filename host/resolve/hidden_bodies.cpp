@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::int32_t least_side = 8;  // dots, of the smallest squares
 constexpr std::size_t squares_a_body = 16;
-constexpr std::size_t most_squares = 256;
+constexpr std::size_t most_squares = 256;  // a body
+constexpr std::size_t least_squares = 32;
 
 // A square of the pyramid: level 0 is the whole window.
 struct Square {
@@ -198,7 +199,8 @@ class BodyForm {
 // Takes bodies down the pyramid, one after the other.
 class Descent {
  public:
-  explicit Descent(DepthPyramid& pyramid) : pyramid_(pyramid) {}
+  Descent(DepthPyramid& pyramid, std::size_t bodies)
+      : pyramid_(pyramid), squares_(std::clamp(bodies, least_squares, most_squares)) {}
 
   // Does anything of it come through? Then it hides what is behind it.
   [[nodiscard]] bool comes_through(const IntegerBody& body) {
@@ -214,7 +216,7 @@ class Descent {
     // In order of levels: what is appended belongs to the level below.
     for (std::size_t i = 0; i < entered_.size(); ++i) {
       const Entered at = entered_[i];
-      if (at.is_last || entered_.size() + 4 > most_squares) {
+      if (at.is_last || entered_.size() + 4 > squares_) {
         comes_through = true;
         continue;
       }
@@ -256,7 +258,8 @@ class Descent {
   }
 
   DepthPyramid& pyramid_;
-  BodyForm form_;  // of the body at hand
+  std::size_t squares_;  // that a body may enter
+  BodyForm form_;        // of the body at hand
   std::vector<Entered> entered_;
 };
 
@@ -272,7 +275,7 @@ std::vector<bool> hidden_bodies(const IntegerScene& scene) {
   std::stable_sort(order.begin(), order.end(),
                    [&depth](std::uint32_t a, std::uint32_t b) { return depth(a) < depth(b); });
   DepthPyramid pyramid(window, scene.bodies.size());
-  Descent descent(pyramid);
+  Descent descent(pyramid, scene.bodies.size());
   for (const std::uint32_t body : order) hidden[body] = !descent.comes_through(scene.bodies[body]);
   return hidden;
 }

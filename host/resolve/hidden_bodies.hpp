@@ -3,7 +3,8 @@
 //          face no deeper than z on each of them; what lies deeper is hidden there. From front to back, each body is taken down the
 //          pyramid: into squares where it may be, and may not be hidden yet. None left: it is hidden.
 // Exact    Bounds in doubles that hold every rounding (depth_bounds.hpp): no dot changes, whatever is left out.
-// Cost     At most `most_squares` squares a body; the smallest are some sixteen a body, of 8 dots or more a side.
+// Cost     A body is taken into as many squares as there are bodies at most, 32 .. 256; the smallest are some sixteen a body, of 8 dots or
+//          more a side.
 #pragma once
 
 #include <vector>
