@@ -20,8 +20,11 @@ namespace {
 
 constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
 constexpr std::int32_t first_chord = 24;  // dots
+constexpr std::int32_t short_span = 80;   // dots; chords are tried before a ridge form is made
+constexpr int most_failures = 2;          // of these
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
+constexpr std::int32_t most_blur = 3 << 15;  // where all dots within it are asked
 
 // The parts that a span of a face with a root is traced by; and one whose z is a quotient.
 struct RootParts {
@@ -63,16 +66,16 @@ bool is_along_lines(const ActiveFace& face) {
   return face.c[0].is_zero() && face.c[3].is_zero() && face.c[5].is_zero() && face.c[6].is_zero();
 }
 
-// Tracks pay on blocks of so many lines, where most of them show each boundary, and where forms are by s; and a face with
-// straight contours has other use for its block.
-constexpr std::int32_t fewest_lines = 32;
+// Tracks pay on blocks that begin on a span of 256 dots or more, where most of a block's lines show each boundary, and where forms are by s;
+// and a face with straight contours has other use for its block.
+constexpr std::int32_t fewest_dots = 416, block_lines = 32;
 std::span<std::uint32_t> tracked_block(const ShadeJob& job) {
   const FaceContours& face = *job.contours;
   const SectionForms& forms = face.general.forms;
   if (face.kind != ContourKind::general || face.general.is_quotient || face.general.has_other || forms.by_depth) {
     return {};
   }
-  const bool pays = forms.y1 - forms.y0 >= fewest_lines && job.painter.edges_of(fewest_lines) >= fewest_lines / 2;
+  const bool pays = forms.x1 - forms.x0 >= fewest_dots && job.painter.edges_of(block_lines) >= block_lines / 2;
   return pays ? face.block : std::span<std::uint32_t>{};
 }
 
@@ -83,8 +86,8 @@ class SpanTracer {
       : job_(job),
         y_(y),
         bars_(job.contours->general.bars),
+        on_line_(line),
         line_(Parts::forms(job.contours->general), line),
-        ridge_(Parts::ridge(Parts::forms(job.contours->general), line)),
         tracks_(job.contours->general, tracked_block(job), y),
         edges_(job.painter.edges()),
         painter_(job.painter, x0, 0) {}
@@ -94,6 +97,7 @@ class SpanTracer {
  private:
   using Dot = typename Parts::Dot;
   using Chord = typename Parts::Chord;
+  using Ridge = typename Parts::Ridge;
   using RidgeDot = typename Parts::RidgeDot;
   // A dot where a piece may begin or end.
   struct Stop {
@@ -124,13 +128,13 @@ class SpanTracer {
     return search_level(job_.table, std::clamp(near, job_.table.ambient_level, job_.table.top_level),
                         [&](std::int32_t k) { return reaches(dot, k); });
   }
-  [[nodiscard]] Stop stop_at(std::int32_t t) const { return {ridge_.at(t), level_dot(t)}; }
+  [[nodiscard]] Stop stop_at(const Ridge& ridge, std::int32_t t) const { return {ridge.at(t), level_dot(t)}; }
 
   struct Piece {
     Course course;
     bool level;  // all of it
   };
-  [[nodiscard]] Piece next_piece(const Stop& a, Stop& b) const;
+  [[nodiscard]] Piece next_piece(const Ridge& form, const Stop& a, Stop& b) const;
   [[nodiscard]] bool keeps_level(const Dot& a, const Dot& b) const;
   void dot_by_dot(const Dot& from, const Dot& to);
   void step_over(const Dot& from, const Dot& to);
@@ -139,8 +143,13 @@ class SpanTracer {
     std::int32_t t;
     RidgeDot ridge;
   };
-  RidgeStop last_alike(RidgeStop from, RidgeStop other) const;
-  void ridge_between(const Stop& a, const Stop& b);
+  RidgeStop last_alike(const Ridge& form, RidgeStop from, RidgeStop other) const;
+  void ridge_between(const Ridge& form, const Stop& a, const Stop& b);
+  void by_pieces(const Ridge& form, const Dot& from, const Dot& to);
+  [[nodiscard]] std::int32_t only_boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                           const LevelPlace& place) const;
+  [[nodiscard]] bool passes(Dot& a, const Dot& c);
+  [[nodiscard]] Dot by_chords(Dot a, const Dot& b);
   [[nodiscard]] std::int32_t chord_width(const Dot& a, const Dot& b) const;
   struct Reached {
     std::int32_t k;  // the next boundary's level
@@ -169,8 +178,8 @@ class SpanTracer {
   const ShadeJob& job_;
   std::int32_t y_;
   const LevelBars& bars_;
+  const typename Parts::Line& on_line_;
   typename Parts::Section line_;
-  typename Parts::Ridge ridge_;
   BoundaryTracks tracks_;
   LevelEdges edges_;
   Painter painter_;
@@ -214,7 +223,7 @@ void SpanTracer<Parts, Painter>::step_over(const Dot& from, const Dot& to) {
 
 // The last dot from `from` towards another whose course is surely that of `from`, where the form has one root between them.
 template <class Parts, class Painter>
-auto SpanTracer<Parts, Painter>::last_alike(RidgeStop from, RidgeStop other) const -> RidgeStop {
+auto SpanTracer<Parts, Painter>::last_alike(const Ridge& form, RidgeStop from, RidgeStop other) const -> RidgeStop {
   const int sign = from.ridge.sign();
   bool from_moved = false;
   bool other_moved = false;
@@ -226,7 +235,7 @@ auto SpanTracer<Parts, Painter>::last_alike(RidgeStop from, RidgeStop other) con
     const int shift = std::max(0, 13 - std::countl_zero(static_cast<std::uint32_t>(fall < 0 ? -fall : fall)));
     std::int32_t step = tries < 8 && fall != 0 ? way * (from.ridge.w >> shift) / (fall >> shift) : way / 2;
     step = way > 0 ? std::clamp<std::int32_t>(step, 1, way - 1) : std::clamp<std::int32_t>(step, way + 1, -1);
-    const RidgeStop next{from.t + step, ridge_.at(from.t + step)};
+    const RidgeStop next{from.t + step, form.at(from.t + step)};
     if (next.ridge.sign() == sign) {
       from = next;
       if (from_moved) other.ridge.w /= 2;
@@ -242,20 +251,20 @@ auto SpanTracer<Parts, Painter>::last_alike(RidgeStop from, RidgeStop other) con
 }
 
 template <class Parts, class Painter>
-void SpanTracer<Parts, Painter>::ridge_between(const Stop& a, const Stop& b) {
+void SpanTracer<Parts, Painter>::ridge_between(const Ridge& form, const Stop& a, const Stop& b) {
   RidgeStop from{a.dot.t, a.ridge};
   RidgeStop to{b.dot.t, b.ridge};
   std::int32_t& ridge = job_.contours->general.ridge;
   if (const std::int32_t t = ridge - line_.middle(); from.t < t && t < to.t) {  // near the last line's
-    const RidgeStop there{t, ridge_.at(t)};
+    const RidgeStop there{t, form.at(t)};
     (there.ridge.sign() == from.ridge.sign() ? from : to) = there;
   }
-  const RidgeStop first = last_alike(from, to);
+  const RidgeStop first = last_alike(form, from, to);
   ridge = line_.middle() + first.t;
   const Dot left = first.t == a.dot.t ? a.dot : level_dot(first.t);
   monotone(a.dot, left, a.ridge.sign() > 0);
-  RidgeStop last{first.t + 1, ridge_.at(first.t + 1)};
-  if (last.ridge.sign() != b.ridge.sign()) last = last_alike({b.dot.t, b.ridge}, first);
+  RidgeStop last{first.t + 1, form.at(first.t + 1)};
+  if (last.ridge.sign() != b.ridge.sign()) last = last_alike(form, {b.dot.t, b.ridge}, first);
   const Dot right = last.t == b.dot.t ? b.dot : level_dot(last.t);
   step_over(left, right);
   monotone(right, b.dot, b.ridge.sign() > 0);
@@ -404,37 +413,127 @@ void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
 
 // What is known from a to b, b drawn nearer until that is something or they are near each other.
 template <class Parts, class Painter>
-auto SpanTracer<Parts, Painter>::next_piece(const Stop& a, Stop& b) const -> Piece {
+auto SpanTracer<Parts, Painter>::next_piece(const Ridge& form, const Stop& a, Stop& b) const -> Piece {
   for (;;) {
-    const Course course = ridge_.course(a.ridge, b.ridge);
+    const Course course = form.course(a.ridge, b.ridge);
     if (course != Course::unsure) return {course, false};
     if (keeps_level(a.dot, b.dot)) return {course, true};
     if (b.dot.t - a.dot.t <= short_piece) return {course, false};
-    b = stop_at(a.dot.t + (b.dot.t - a.dot.t) / 2);
+    b = stop_at(form, a.dot.t + (b.dot.t - a.dot.t) / 2);
   }
 }
 
+// The same, in dots from t, where nothing proves that F has one sign on either side of it within the place's error: all dots there are asked. 0 if
+// they have more.
 template <class Parts, class Painter>
-void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
-  Stop a = stop_at(x0 - line_.middle());
-  level_ = level_of(a.dot);
-  painter_.change(x0, level_);
-  ++job_.counters.level_spans;
-  if (is_along_lines(job_.face)) return painter_.end(x1);
-  const Stop last = stop_at(x1 - line_.middle());
+std::int32_t SpanTracer<Parts, Painter>::only_boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
+                                                       const LevelPlace& place) const {
+  const std::int32_t before = std::max<std::int32_t>((place.at - place.error) >> 16, 0);
+  std::int32_t from = std::min<std::int32_t>(((place.at + place.error) >> 16) + 1, width);
+  bool all_beyond = true;
+  for (std::int32_t at = from - 1; at > before; --at) {
+    const bool is_beyond = asked_boundary(k, rising, t + at - 1, t + at + 1) == t + at;
+    if (is_beyond && !all_beyond) return 0;
+    all_beyond = is_beyond;
+    if (is_beyond) from = at;
+  }
+  return from;
+}
+
+// From a to c by their chord alone: what shows changes once at each boundary between their levels and at no other, as F is a quadratic without
+// a turn, but for a known error. False if that is not so; a is as far as it is.
+template <class Parts, class Painter>
+bool SpanTracer<Parts, Painter>::passes(Dot& a, const Dot& c) {
+  const std::int32_t width = c.t - a.t;
+  const std::int32_t next = level_of(c);
+  const bool rising = next > level_;
+  const std::int32_t sign = rising ? 1 : -1;
+  const std::int32_t below = rising ? 0 : 1;
+  Chord chord(line_, a, c);
+  const auto keeps = [&](int side, std::int32_t k) {
+    const std::uint32_t bar = bars_.at(k);
+    return chord.keeps_sign(side, bar, a.above(bar), c.above(bar));
+  };
+  const std::int32_t reached = edges_.to(std::min(level_, next));
+  const std::int32_t missed = edges_.from(std::max(level_, next) + 1);
+  if (reached > job_.table.ambient_level && !keeps(1, reached)) return false;
+  if (missed <= job_.table.top_level && !keeps(-1, missed)) return false;
+  if (!rising) chord.mirror();
+  const Lead lead_a = a.lead(sign);
+  const Lead lead_c = c.lead(sign);
+  const std::int32_t end = rising ? next + 1 : next;
+  std::int32_t beyond = 0;
+  for (std::int32_t k = edge(rising ? level_ + 1 : level_, sign); has_boundary(k, end, sign);
+       k = edge(k + sign, sign)) {
+    const std::uint32_t bar = bars_.at(k);
+    const LevelPlace place = chord.place(bar, lead_a.of(bar), lead_c.of(bar));
+    const std::int32_t at = width > 2 && place.error > most_blur ? 0 : only_boundary(k, rising, a.t, width, place);
+    if (at == 0) {
+      if (beyond == 0) return false;
+      a = level_dot(a.t + beyond);
+      dot(a);
+      return false;
+    }
+    beyond = at;
+    painter_.change(line_.middle() + a.t + at, k - below);
+  }
+  job_.counters.level_spans += static_cast<std::uint32_t>((next - level_) * sign);
+  level_ = next;
+  return true;
+}
+
+// Up to the dot returned; where chords fail the rest needs the ridge form.
+template <class Parts, class Painter>
+auto SpanTracer<Parts, Painter>::by_chords(Dot a, const Dot& b) -> Dot {
+  std::int32_t width = b.t - a.t;
+  for (int failures = 0; a.t < b.t && failures < most_failures;) {
+    width = std::min(width, b.t - a.t);
+    const Dot c = width == b.t - a.t ? b : level_dot(a.t + width);
+    if (width == 1) {
+      dot(c);
+    } else if (!passes(a, c)) {
+      width = std::max<std::int32_t>((c.t - a.t) / 2, 1);
+      ++failures;
+      continue;
+    }
+    width *= 2;
+    a = c;
+  }
+  return a;
+}
+
+// From dot to dot, by pieces whose course is known.
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::by_pieces(const Ridge& form, const Dot& from, const Dot& to) {
+  Stop a{form.at(from.t), from};
+  const Stop last{form.at(to.t), to};
   std::int32_t reach = 2 * longest_half;  // of a piece, as far as is worth a try
   while (a.dot.t < last.dot.t) {
-    Stop b = last.dot.t - a.dot.t <= reach ? last : stop_at(a.dot.t + reach);
-    const Piece piece = next_piece(a, b);
+    Stop b = last.dot.t - a.dot.t <= reach ? last : stop_at(form, a.dot.t + reach);
+    const Piece piece = next_piece(form, a, b);
     reach = std::min(4 * (b.dot.t - a.dot.t), 2 * longest_half);
     if (piece.course == Course::ridge) {
-      ridge_between(a, b);
+      ridge_between(form, a, b);
     } else if (piece.course != Course::unsure) {
       monotone(a.dot, b.dot, a.ridge.sign() > 0);
     } else if (!piece.level) {
       dot_by_dot(a.dot, b.dot);
     }
     a = b;
+  }
+}
+
+template <class Parts, class Painter>
+void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
+  const Dot a = level_dot(x0 - line_.middle());
+  level_ = level_of(a);
+  painter_.change(x0, level_);
+  ++job_.counters.level_spans;
+  if (!is_along_lines(job_.face)) {
+    const Dot b = level_dot(x1 - line_.middle());
+    const bool is_short = !tracks_.any() && x1 - x0 < short_span;
+    const Dot from = is_short ? by_chords(a, b) : a;
+    if (from.t < b.t) by_pieces(Parts::ridge(line_.forms(), on_line_), from, b);
   }
   painter_.end(x1);
 }

@@ -75,7 +75,11 @@ template <bool by_depth>
   const std::uint32_t n_sum = static_cast<std::uint32_t>(a.n) + static_cast<std::uint32_t>(b.n);
   const auto root_error = static_cast<std::uint32_t>(std::max(a.root_error, b.root_error));
   const auto normal_error = static_cast<std::uint32_t>(std::max(a.normal_error, b.normal_error));
-  if (!dwarfs(s_sum, size(ds), 5) || !dwarfs(n_sum, size(dn), 5) || !dwarfs(n_sum, normal_error, 1 << 10)) return;
+  if (!dwarfs(n_sum, size(dn), 5) || !dwarfs(n_sum, normal_error, 1 << 10)) return;
+  if (!dwarfs(s_sum, size(ds), 5)) {
+    if constexpr (!by_depth) set_across(line, a, b);
+    return;
+  }
   const Divisor s(s_sum);
   const Divisor n(n_sum);
   // Of s or z.
@@ -127,6 +131,67 @@ template <bool by_depth>
   keep(std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9));
 }
 
+// X in 2^-20 of the block's 2^half_bits dots, D' and G in 2^31 a block of these. With |D2 h| and |D2 X| at most M / 8:
+//   of u (1-u) X     |X| (|D2 h| + |D2 X|) / 8 M, as M's change is (2u-1) D2 h + u (1-u) D2 X, of which M keeps 27/32 at least; the roots' errors
+//                    in ds^2 are a quarter of 4 root_error (|ds| + root_error) / M; the quotient's and those of M's 16 units
+//   of u (1-u) J     G times that; G's change, |X| (|q2 h + r' ds / 2| + |q2 X|) / 8, and its errors, 24 units and r' times the root's; dr
+//                    and ds as above
+[[gnu::noinline]] void LevelChord::set_across(const LineSection& line, const LevelDot& a, const LevelDot& b) {
+  const std::int32_t ds = b.s - a.s;
+  const std::int32_t dn = b.n - a.n;
+  const std::int32_t dr = difference(b.r, a.r);
+  const std::uint32_t n_sum = static_cast<std::uint32_t>(a.n) + static_cast<std::uint32_t>(b.n);
+  const auto s_sum = static_cast<std::int32_t>(static_cast<std::uint32_t>(a.s) + static_cast<std::uint32_t>(b.s));
+  const auto root_error = static_cast<std::uint32_t>(std::max(a.root_error, b.root_error));
+  const auto normal_error = static_cast<std::uint32_t>(std::max(a.normal_error, b.normal_error));
+  const ShortPolynomial& d = line.d();
+  const ShortPolynomial& q = line.q();
+  const ShortPolynomial& r = line.r();
+  const std::int32_t from = line.tau(a.t) >> 1;
+  const std::int32_t to = line.tau(b.t) >> 1;
+  const auto slope_of = [&](const ShortPolynomial& p) { return (p.v1 >> 1) + (high_product(p.v2, from + to) << 2); };
+  const auto turn_of = [&](const ShortPolynomial& p) { return high_product(p.v2, to - from) << 2; };
+  const std::int32_t steepness = slope_of(d);  // D'
+  const std::int32_t turn = turn_of(d);
+  if (!dwarfs(size(steepness), size(turn), 8)) return;
+  const Divisor m(size(steepness));
+  const Divisor n(n_sum);
+  const auto bend = static_cast<std::int64_t>(product(ds, ds) - second_difference(line.forms().d.xx, width_)) >> 11;
+  if (!m.divides(bend)) return;
+  const std::int32_t way = m.quotient(steepness < 0 ? bend : -bend);  // X
+  const auto way_turn = static_cast<std::uint32_t>(magnitude(std::int64_t{d.v2} * way) >> 20) + 1;
+  if (!dwarfs(size(steepness), way_turn, 8)) return;
+  const std::int32_t g = slope_of(q) + (high_product(r.v1, s_sum) << 2);
+  const auto bulge = static_cast<std::int64_t>(second_difference(line.forms().q.xx, width_) + product(dr, ds) -
+                                               product(dn, dn) - (product(way, g) << 11));
+  if (!n.divides(bulge)) return;
+  const std::int32_t j = n.quotient(bulge);
+
+  const std::uint32_t way_left =
+      m.eighth_part(size(way), size(turn) + way_turn) + (size(way) >> 14) +
+      static_cast<std::uint32_t>(
+          m.quotient(static_cast<std::int64_t>(std::uint64_t{root_error} * (size(ds) + root_error) >> 11))) +
+      8;
+  const std::uint32_t dg = size(turn_of(q) + (high_product(r.v1, ds) << 2)) +
+                           (static_cast<std::uint32_t>(magnitude(std::int64_t{q.v2} * way) >> 20));
+  const std::uint32_t g_error = 24 + (high_product(size(r.v1), root_error) << 3);
+  const auto bulge_left = static_cast<std::int64_t>(
+      std::uint64_t{size(dr)} * (root_error / 2 + 1) + std::uint64_t{size(ds)} * 8 +
+      ((std::uint64_t{size(g)} * way_left + std::uint64_t{size(way)} * (dg / 8 + g_error / 4 + 1)) << 11));
+  if (!n.divides(bulge_left)) return;
+  const std::int32_t l = line.l().v1;
+  bow_ = static_cast<std::int32_t>(std::int64_t{l} * way >> 19);
+  normal_bow_ = j;
+  const std::int32_t shift = line.tau_shift() - 20;
+  way_bow_ = (way << 7) >> shift;
+  way_error_ = static_cast<std::int32_t>((way_left << 7) >> shift) + 4;
+  steepness_ = width_ + (static_cast<std::int32_t>(size(way_bow_)) >> 16) + 1;
+  const std::uint32_t normal_left = static_cast<std::uint32_t>(n.quotient(bulge_left)) * 5 / 4 +
+                                    n.eighth_part(size(j), size(dn) + 2 * size(j)) + (size(j) >> 10);
+  const auto light_left = static_cast<std::uint32_t>(std::uint64_t{size(l)} * way_left >> 18);
+  keep(std::max(a.error, b.error) + static_cast<std::int32_t>((light_left + normal_left + normal_error / 2) / 2 + 9));
+}
+
 void LevelChord::keep(std::int32_t error) {
   error_ = error;
   if (error_ > 1 << 26) return;
@@ -134,7 +199,7 @@ void LevelChord::keep(std::int32_t error) {
   least_ = std::max<std::uint32_t>(32 * static_cast<std::uint32_t>(error_), 1 << 16);
 }
 
-LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : width_(b.t - a.t) {
+LevelChord::LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b) : LevelChord(b.t - a.t) {
   if (line.by_depth()) {
     set_by_depth(line, a, b);
   } else {

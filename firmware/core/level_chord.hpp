@@ -9,6 +9,10 @@
 // Depth   By z in place of s, with s = b + a z and (s + b) z = c, and r the derivative of |N|^2 by z:
 //     E     = (2 b' h dz + a dz^2 - c2 h^2) / (s + chord of s)
 //     J     = q2 h^2 + dr dz - zz dz^2 - dn^2 - r E - u (1-u) zz E^2
+// Across  At a limb E does not stay what it is, but there x is a smooth function of s. So with u linear in s, and M the mean of D' between x and
+//         its chord, G that of |N|^2 by x where s is kept:
+//     x     = (1-u) x_a + u x_b + u (1-u) X       X = (D2 h^2 - ds^2) / M
+//     J     = q2 h^2 + dr ds - dn^2 - X G         B = l' X + T J / 2A + ...
 // Error   What taking the middle leaves out of F: level_chord.cpp.
 // Source  Ours.
 #pragma once
@@ -58,9 +62,11 @@ class LevelChord {
   LevelChord(const LineSection& line, const LevelDot& a, const LevelDot& b);
 
   // Whether F is surely above 0 all along, given its values at the ends; or, by `sign` -1, below. It leaves its chord by a quarter of
-  // the bow at most.
+  // the bow at most, and turns only where the bow is larger than what the ends differ by.
   [[nodiscard]] bool keeps_sign(int sign, std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
-    const std::int64_t inward = -std::int64_t{sign} * bow(bar) / 4;
+    const std::int64_t way = magnitude(std::int64_t{at_b} - at_a);
+    std::int64_t inward = -std::int64_t{sign} * bow(bar);
+    inward = inward > way ? inward / 4 : 0;
     return error_ != LevelPlace::unknown &&
            std::min<std::int64_t>(std::int64_t{sign} * at_a, std::int64_t{sign} * at_b) >
                error_ + 1 + std::max<std::int64_t>(inward, 0);
@@ -93,13 +99,15 @@ class LevelChord {
     const auto u = static_cast<std::int32_t>((u0 << 15) / ((rest + q) >> 1));
     const auto left =
         static_cast<std::int32_t>((wide_error_ >> shift) * static_cast<std::uint32_t>(inverse) / q) + rounding;
-    return {width_ * u, left > 1 << 11 ? LevelPlace::unknown : width_ * left};
+    const std::int32_t bend = high_product(way_bow_, u * ((1 << 16) - u));
+    return {width_ * u + bend, left > 1 << 11 ? LevelPlace::unknown : steepness_ * left + way_error_};
   }
 
  private:
   template <bool by_depth>
   void set(const LineSection& line, const LevelDot& a, const LevelDot& b);
   void set_by_depth(const LineSection& line, const LevelDot& a, const LevelDot& b);
+  void set_across(const LineSection& line, const LevelDot& a, const LevelDot& b);
 
   [[nodiscard]] std::int32_t bow(std::uint32_t bar) const {
     return bow_ + high_product(normal_bow_, static_cast<std::int32_t>(bar));
@@ -110,11 +118,14 @@ class LevelChord {
 
  protected:
   // Of h dots; nothing is known yet.
-  explicit LevelChord(std::int32_t width) : width_(width) {}
+  explicit LevelChord(std::int32_t width) : width_(width), steepness_(width) {}
   // What F / 2 errs by, once the bows are known.
   void keep(std::int32_t error);
 
   std::int32_t width_;           // h
+  std::int32_t steepness_;       // of x in u, at most
+  std::int32_t way_bow_ = 0;     // X, 16 bits of fraction; 0 where u is linear in x
+  std::int32_t way_error_ = 0;   // of x, besides what u's makes
   std::int32_t bow_ = 0;         // m E / 2
   std::int32_t normal_bow_ = 0;  // J / A
 

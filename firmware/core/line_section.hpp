@@ -99,6 +99,11 @@ class LineSection {
   [[nodiscard]] ShortDot asked_depth_dot(std::int32_t t) const;  // the same, out of line
   [[nodiscard]] bool by_depth() const { return forms_.by_depth; }
   [[nodiscard]] const LineDepth& depth() const { return on_line_.depth; }
+  [[nodiscard]] const ShortPolynomial& d() const { return d_; }
+  [[nodiscard]] const ShortPolynomial& q() const { return q_; }
+  [[nodiscard]] const ShortPolynomial& r() const { return r_; }
+  [[nodiscard]] const ShortPolynomial& l() const { return l_; }
+  [[nodiscard]] int tau_shift() const { return tau_shift_; }
 
  private:
   const SectionForms& forms_;

@@ -137,16 +137,16 @@ class Terms {
 
 }  // namespace
 
-// As many lines as an eighth of the span has dots, at most 32, and a quarter of it on either side; what the last block had beside, too,
+// 32 lines, and a quarter of the span and 16 dots on either side; what the last block had beside, too,
 // where this line crosses it: a face may be seen in several spans.
 void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to) {
   const std::int32_t width = to - from + 1;
-  const std::int32_t spare = std::min(width / 4 + 2, (2 * longest_half - width) / 2);
+  const std::int32_t spare = std::min(width / 4 + 16, (2 * longest_half - width) / 2);
   const std::int32_t left = from - spare;
   const std::int32_t right = to + spare;
   const bool joins =
       half != 0 && !by_depth && y0 <= y && y < y1 && std::max(to, x1) - std::min(from, x0) < 2 * longest_half;
-  const std::int32_t lines = std::clamp<std::int32_t>(width / 16, 4, 16);
+  constexpr std::int32_t lines = 16;  // half of them
   if (joins) {
     const std::int32_t joined = std::max(std::min(x0, left), to - 2 * longest_half + 1);
     cover(job, {joined, std::min(std::max(x1, right), joined + 2 * longest_half - 1), y, lines}, from, to);
