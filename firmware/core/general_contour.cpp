@@ -22,6 +22,7 @@ constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rat
 constexpr std::int32_t first_chord = 24;  // dots
 constexpr std::int32_t short_span = 80;   // dots; chords are tried before a ridge form is made
 constexpr int most_failures = 2;          // of these
+constexpr std::int32_t many_unsure = 64;  // courses on a block's lines: ridge forms of 64 bits take less
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
 constexpr std::int32_t most_blur = 3 << 15;  // where all dots within it are asked
@@ -37,7 +38,9 @@ struct RootParts {
   using Chord = LevelChord;
 
   static const Forms& forms(const GeneralContours& face) { return face.forms; }
-  static Ridge ridge(const Forms& forms, const Line& line) { return {forms, line}; }
+  static Ridge ridge(const GeneralContours& face, const Line& line) {
+    return {face.forms, line, face.unsure_courses >= many_unsure};
+  }
   // Whether s falls from a to b by more than 1 / 2^bits of it.
   static bool falls(const Dot& a, const Dot& b, int bits) { return a.s - (a.s >> bits) > b.s; }
   // How often s at a goes into that at b, up to 64; 1 if not twice.
@@ -55,7 +58,7 @@ struct QuotientParts {
   using Chord = QuotientChord;
 
   static const Forms& forms(const GeneralContours& face) { return face.quotient; }
-  static Ridge ridge(const Forms& /*forms*/, const Line& line) { return Ridge(line); }
+  static Ridge ridge(const GeneralContours& /*face*/, const Line& line) { return Ridge(line); }
   // It has no limb.
   static bool falls(const Dot& /*a*/, const Dot& /*b*/, int /*bits*/) { return false; }
   static std::int32_t growth(const Dot& /*a*/, const Dot& /*b*/) { return 1; }
@@ -418,6 +421,7 @@ auto SpanTracer<Parts, Painter>::next_piece(const Ridge& form, const Stop& a, St
     const Course course = form.course(a.ridge, b.ridge);
     if (course != Course::unsure) return {course, false};
     if (keeps_level(a.dot, b.dot)) return {course, true};
+    ++job_.contours->general.unsure_courses;
     if (b.dot.t - a.dot.t <= short_piece) return {course, false};
     b = stop_at(form, a.dot.t + (b.dot.t - a.dot.t) / 2);
   }
@@ -533,7 +537,7 @@ void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
     const Dot b = level_dot(x1 - line_.middle());
     const bool is_short = !tracks_.any() && x1 - x0 < short_span;
     const Dot from = is_short ? by_chords(a, b) : a;
-    if (from.t < b.t) by_pieces(Parts::ridge(line_.forms(), on_line_), from, b);
+    if (from.t < b.t) by_pieces(Parts::ridge(job_.contours->general, on_line_), from, b);
   }
   painter_.end(x1);
 }
@@ -571,6 +575,7 @@ void trace_root(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::int32
   if (!forms.holds(y, x0, x1)) {
     forms.cover(job, y, x0, x1);
     general.strip.drop();
+    general.unsure_courses = 0;
     general.has_other = general.has_other && (forms.by_depth || general.other_is_by_depth);
   }
   if (!is_dark(job, y)) return trace_line<RootParts>(job, y, x0, x1);

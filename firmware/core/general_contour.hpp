@@ -31,7 +31,8 @@ struct GeneralContours {
   bool has_other = false, other_is_by_depth = false;
   LevelBars bars;
   TrackStrip strip;
-  std::int32_t ridge = 0;  // of the last line, on the page: where the next one's is sought
+  std::int32_t ridge = 0;           // of the last line, on the page: where the next one's is sought
+  std::int32_t unsure_courses = 0;  // on this block's lines so far
   std::int32_t steps = 0;  // that the last span took: dots, and four for each that words of 32 bits did not tell
 };
 

@@ -8,10 +8,11 @@
 namespace halfspace {
 namespace {
 
-constexpr std::int32_t plain_error =
-    160;  // of w, where s is exact: alpha and beta within 64 each, and their sum's rounding
-constexpr std::int32_t far_error = 1 << 30;  // of a dot of which nothing is known: w is smaller
-constexpr int most_scale = 11;               // of the weights of an arc
+// Of w, where s is exact: alpha and beta within 64 each, and their sum's rounding; and where they were cut from 60 bits.
+constexpr std::int32_t plain_error = 160, cut_error = 16;
+constexpr int few_bits = 20, many_bits = 26;  // of alpha and beta
+constexpr std::int32_t far_error = 1 << 30;   // of a dot of which nothing is known: w is smaller
+constexpr int most_scale = 11;                // of the weights of an arc
 
 // Product of two numbers of 30 bits of fraction, or 60.
 std::int32_t times(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::int64_t{a} * b >> 30); }
@@ -24,6 +25,7 @@ std::int64_t times(std::int64_t a, std::int64_t b) {
 constexpr std::int64_t shifted_down(std::int64_t v, int shift) {
   return shift >= 0 ? v >> shift : v * (std::int64_t{1} << std::min(-shift, 62));
 }
+std::int32_t narrowed(std::int64_t v, int shift) { return static_cast<std::int32_t>(shifted_down(v, shift)); }
 // Half of the sum of a c and b d.
 std::int32_t mixed(std::int32_t a, std::int32_t c, std::int32_t b, std::int32_t d) {
   return static_cast<std::int32_t>((std::int64_t{a} * c + std::int64_t{b} * d) >> 31);
@@ -66,67 +68,95 @@ Course course_of(const std::array<int, 5>& signs) {
 
 namespace {
 
-// alpha and beta of a line from its forms, 30 bits of fraction: sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to
-// 1/4 in l and m: light and square may be scaled at will, D as s is. So no sum below reaches 1, nor do alpha, beta or w, nor w's polar form 2.
-void load_slope(std::int32_t (&alpha)[3], std::int32_t (&beta)[2], const std::int32_t (&d)[3], const Terms& q,
-                const Terms& r, const Terms& l, std::int32_t line_m, int root_shift) {
-  constexpr int fraction = 30;
-  const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift))) + 1 - fraction;
-  const std::int64_t m28 = std::int64_t{line_m} * (1 << SectionForms::light_fraction);
-  const int l_shift = bits(l.size() + (magnitude(m28) << root_shift)) + 2 - fraction;
-  const auto [d0, d1, d2] = d;
-  const auto q0 = q.cut<std::int32_t>(0, q_shift), q1 = q.cut<std::int32_t>(1, q_shift),
-             q2 = q.cut<std::int32_t>(2, q_shift);
-  // 32 bits of fraction and 30 of s against |N|^2; and s is scaled
-  const auto r0 = r.cut<std::int32_t>(0, q_shift + 2 - root_shift),
-             r1 = r.cut<std::int32_t>(1, q_shift + 2 - root_shift);
-  const auto l0 = l.cut<std::int32_t>(0, l_shift), l1 = l.cut<std::int32_t>(1, l_shift);
-  const auto m = static_cast<std::int32_t>(shifted_down(m28, l_shift - root_shift));
-  // 2 l' r - l r' = e + l1 r1 tau,  l r = p0 + p1 tau + l1 r1 tau^2
-  const std::int32_t l0r1 = times(l0, r1);
-  const std::int32_t l1r0 = times(l1, r0);
-  const std::int32_t l1r1 = times(l1, r1);
-  const std::int32_t e = 2 * l1r0 - l0r1;
-  const std::int32_t p0 = times(l0, r0);
-  const std::int32_t p1 = l0r1 + l1r0;
-  beta[0] = 2 * times(l1, q0) - times(l0, q1) + times(m, times(d1, r0) / 2 - times(d0, r1));
-  beta[1] = times(l1, q1) - 2 * times(l0, q2) + times(m, times(d2, r0) - times(d1, r1) / 2);
-  alpha[0] = times(d0, e) - times(d1, p0) / 2 + times(m, times(d1, q0) - times(q1, d0));
-  alpha[1] =
-      times(d0, l1r1) + times(d1, e) - times(d1, p1) / 2 - times(d2, p0) + 2 * times(m, times(d2, q0) - times(q2, d0));
-  alpha[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
-}
+// alpha and beta of a line from its forms, 30 or 60 bits of fraction: sizes of terms add up to at most 1 in D, to 1/2 in q and r, and to 1/4 in l and m: light and square may be scaled at will, D as s is. So no sum below reaches 1, nor do alpha, beta or w, nor
+// w's polar form 2.
+template <class Int>
+struct SlopeForm {
+  Int alpha[3], beta[2];
+  int most_up;  // bits that terms were scaled up by
+
+  SlopeForm(const Terms& d, const Terms& q, const Terms& r, const Terms& l, std::int64_t line_m, int root_shift) {
+    constexpr int fraction = sizeof(Int) == 4 ? 30 : 60;
+    const int d_shift = 60 - fraction + 2 * root_shift;
+    const int q_shift = bits(q.size() + (r.size() >> (2 - root_shift))) + 1 - fraction;
+    const int l_shift = bits(l.size() + (magnitude(line_m) << root_shift)) + 2 - fraction;
+    most_up = -std::min({d_shift, q_shift, l_shift, 0});
+    const Int d0 = d.cut<Int>(0, d_shift), d1 = d.cut<Int>(1, d_shift), d2 = d.cut<Int>(2, d_shift);
+    const Int q0 = q.cut<Int>(0, q_shift), q1 = q.cut<Int>(1, q_shift), q2 = q.cut<Int>(2, q_shift);
+    // 32 bits of fraction and 30 of s against |N|^2; and s is scaled
+    const int r_shift = q_shift + 2 - root_shift;
+    const Int r0 = r.cut<Int>(0, r_shift), r1 = r.cut<Int>(1, r_shift);
+    const Int l0 = l.cut<Int>(0, l_shift), l1 = l.cut<Int>(1, l_shift);
+    const auto m = static_cast<Int>(shifted_down(line_m, l_shift - root_shift));
+    // 2 l' r - l r' = e + l1 r1 tau,  l r = p0 + p1 tau + l1 r1 tau^2
+    const Int l0r1 = times(l0, r1);
+    const Int l1r0 = times(l1, r0);
+    const Int l1r1 = times(l1, r1);
+    const Int e = 2 * l1r0 - l0r1;
+    const Int p0 = times(l0, r0);
+    const Int p1 = l0r1 + l1r0;
+    beta[0] = 2 * times(l1, q0) - times(l0, q1) + times(m, times(d1, r0) / 2 - times(d0, r1));
+    beta[1] = times(l1, q1) - 2 * times(l0, q2) + times(m, times(d2, r0) - times(d1, r1) / 2);
+    alpha[0] = times(d0, e) - times(d1, p0) / 2 + times(m, times(d1, q0) - times(q1, d0));
+    alpha[1] = times(d0, l1r1) + times(d1, e) - times(d1, p1) / 2 - times(d2, p0) +
+               2 * times(m, times(d2, q0) - times(q2, d0));
+    alpha[2] = times(d1, l1r1) / 2 + times(d2, e - p1) + times(m, times(d2, q1) - times(q2, d1));
+  }
+  [[nodiscard]] std::uint64_t size() const {
+    return magnitude(alpha[0]) + magnitude(alpha[1]) + magnitude(alpha[2]) + magnitude(beta[0]) + magnitude(beta[1]);
+  }
+};
 
 }  // namespace
 
 int RidgeDot::sign() const { return sure_sign(w, error); }
 
-RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line)
+RidgeForm::RidgeForm(const SectionForms& forms, const LineForms& line, bool wide)
     : forms_(forms), line_(line), tau_shift_(30 - line.half_bits), root_shift_(0) {
   if (line.by_depth) {
     load_by_depth();
-    return;
+  } else {
+    load(wide);
   }
-  const Terms d(line.d, line.half_bits);
-  root_shift_ = bits(d.size()) > 60 ? 1 : 0;
-  const int down = 30 + 2 * root_shift_;
-  load({d.cut<std::int32_t>(0, down), d.cut<std::int32_t>(1, down), d.cut<std::int32_t>(2, down)});
 }
 
-void RidgeForm::load(const std::int32_t (&d)[3]) {
+// Words of 32 bits where alpha and beta keep enough of them.
+void RidgeForm::load(bool wide) {
   const int hb = line_.half_bits;
-  load_slope(alpha_, beta_, d, {line_.q, hb}, {line_.r, hb}, {line_.l, hb}, line_.m, root_shift_);
+  const Terms d(line_.d, hb), q(line_.q, hb), r(line_.r, hb), l(line_.l, hb);
+  root_shift_ = bits(d.size()) > 60 ? 1 : 0;
+  const SlopeForm<std::int32_t> form(d, q, r, l, forms_.wide_m, root_shift_);
+  if (forms_.has_wide_slopes && form.size() >> (wide ? many_bits : few_bits) == 0) {
+    const SlopeForm<std::int64_t> all(d, q, r, l, forms_.wide_m, root_shift_);
+    return keep({all.alpha[0], all.alpha[1], all.alpha[2], all.beta[0], all.beta[1], 0}, all.most_up);
+  }
+  for (int i = 0; i < 3; ++i) alpha_[i] = form.alpha[i];
+  for (int i = 0; i < 2; ++i) beta_[i] = form.beta[i];
   form_error_ = plain_error;
 }
 
-// In 60 bits, and cut to 30 at last. Sizes of terms add up to at most 1/2 in |N|^2's and C's matrices and 1/4 in L, so that nothing below reaches
-// 1. What a term is off by, less than 8 deep_from units and 2^most_up of that when scaled, comes into w less than 8 times.
+// The terms of w in 60 bits, cut to 30. What a term of the forms is off by, less than 8 deep_from units and 2^most_up of that when scaled, comes
+// into w less than 8 times.
+void RidgeForm::keep(const std::int64_t (&w)[6], int most_up) {
+  std::uint64_t size = 1;
+  for (const std::int64_t v : w) size += magnitude(v);
+  const int shift = bits(size) - 29;
+  for (int i = 0; i < 3; ++i) alpha_[i] = narrowed(w[i], shift);
+  for (int i = 0; i < 2; ++i) beta_[i] = narrowed(w[3 + i], shift);
+  gamma_ = narrowed(w[5], shift);
+  const std::int64_t of_terms = std::int64_t{64} * forms_.deep_from + (std::int64_t{1} << (14 + line_.half_bits));
+  const int up = most_up - shift;
+  const bool is_lost = bits(magnitude(of_terms)) + up > 29;
+  form_error_ = is_lost ? far_error / 2 : cut_error + narrowed(of_terms, -up) + 1;
+}
+
+// Sizes of terms add up to at most 1/2 in |N|^2's and C's matrices and 1/4 in L, so that nothing below reaches 1.
 void RidgeForm::load_by_depth() {
   constexpr int fraction = 60;
   const int hb = line_.half_bits;
   const Terms q(line_.q, hb), r(line_.r, hb), l(line_.l, hb), b(line_.depth.b, hb), c(line_.depth.c, hb);
   const std::int64_t zz = forms_.depth.zz;
-  const std::int64_t m = forms_.depth.m;
+  const std::int64_t m = forms_.wide_m;
   const std::int64_t a = line_.depth.a;
   // Bits below those of 60: r has 62, b 50.
   const int n_shift = bits(q.size() + (r.size() >> 2) + (magnitude(zz))) + 1 - fraction;
@@ -155,19 +185,9 @@ void RidgeForm::load_by_depth() {
   const auto entry = [&](std::size_t i, std::size_t k) {
     return times(n[i][0], turned[k][0]) + times(n[i][1], turned[k][1]) + times(n[i][2], turned[k][2]);
   };
-  const std::int64_t w[6] = {
-      entry(2, 2), entry(0, 2) + entry(2, 0), entry(0, 0), entry(1, 2) + entry(2, 1), entry(0, 1) + entry(1, 0),
-      entry(1, 1)};
-  std::uint64_t size = 1;
-  for (const std::int64_t v : w) size += magnitude(v);
-  const int shift = bits(size) - 29;
-  for (int i = 0; i < 3; ++i) alpha_[i] = static_cast<std::int32_t>(shifted_down(w[i], shift));
-  for (int i = 0; i < 2; ++i) beta_[i] = static_cast<std::int32_t>(shifted_down(w[3 + i], shift));
-  gamma_ = static_cast<std::int32_t>(shifted_down(w[5], shift));
-  const int most_up = -std::min({n_shift, l_shift, c_shift, 0});
-  const std::int64_t error =
-      shifted_down(std::int64_t{64} * forms_.deep_from + (std::int64_t{1} << (14 + hb)), shift - most_up);
-  form_error_ = plain_error + static_cast<std::int32_t>(std::min<std::int64_t>(error + 1, far_error / 2));
+  keep({entry(2, 2), entry(0, 2) + entry(2, 0), entry(0, 0), entry(1, 2) + entry(2, 1), entry(0, 1) + entry(1, 0),
+        entry(1, 1)},
+       -std::min({n_shift, l_shift, c_shift, 0}));
 }
 
 RidgeDot RidgeForm::at(std::int32_t t) const {
@@ -212,13 +232,14 @@ std::int32_t RidgeForm::square_of_way(const RidgeDot& a, const RidgeDot& b) cons
 }
 
 // |w|, |beta| and s are at most 1, |delta| at most 5/4. The root's error enters delta twice, w_at and w_tb 5 times and the middle 28 times; the
-// rest adds up to 2, 360 and 1400.
+// rest adds up to 2, and to 9/4 and 9 of the form's with floors.
 Course RidgeForm::plain_course(const RidgeDot& a, const RidgeDot& b) const {
   const std::int32_t error = std::max(a.root_error, b.root_error);
   const std::int64_t bend = plus_product(0, square_of_way(a, b), line_.d.v2);
   const Arc arc(a.sigma, b.sigma, bend >> 2 * root_shift_);
   if (arc.weight() <= 6 * error + 8) return Course::unsure;
-  return course(a, b, arc, w_between(a, b), 8 * error + 512, 32 * error + 2048);
+  return course(a, b, arc, w_between(a, b), 8 * error + std::int64_t{3} * form_error_ + 32,
+                32 * error + std::int64_t{12} * form_error_ + 128);
 }
 
 // The arc times a power of two, such that s or its pole is near 1: where s is small, so are its products with w. A chord across the block may

@@ -44,8 +44,8 @@ enum class Course : std::uint8_t { unsure, rising, falling, ridge };
 
 class RidgeForm {
  public:
-  // Both outlive it.
-  RidgeForm(const SectionForms& forms, const LineForms& line);
+  // Both outlive it. In words of 64 bits if so and they have more to tell.
+  RidgeForm(const SectionForms& forms, const LineForms& line, bool wide);
 
   [[nodiscard]] RidgeDot at(std::int32_t t) const;
   // Between a < b: monotone, or with exactly one turn (`ridge`, be it of most or of least intensity).
@@ -69,8 +69,9 @@ class RidgeForm {
     [[nodiscard]] std::int64_t weight() const { return (std::int64_t{s_a} * s_b >> 29) + delta; }
   };
 
-  void load(const std::int32_t (&d)[3]);  // of D's terms
+  void load(bool wide);
   void load_by_depth();
+  void keep(const std::int64_t (&w)[6], int most_up);
   [[gnu::noinline]] void set_depth(RidgeDot& p, std::int32_t t) const;
   [[nodiscard]] std::int32_t beta_at(std::int32_t tau) const {
     return beta_[0] + static_cast<std::int32_t>(std::int64_t{beta_[1]} * tau >> 30);

@@ -13,7 +13,7 @@ constexpr int square_bits = 59, discriminant_bits = 59;
 constexpr int root_bits = 30;
 // Forms by z are worth their cost on spans of so many dots, where |N|^2 lacks so many bits.
 constexpr std::int32_t fewest_dots = 64;
-constexpr int lost_bits = 8;
+constexpr int lost_bits = 10;
 
 // A face's polynomial about a dot, before it is scaled.
 struct WideBlock {
@@ -80,9 +80,13 @@ class Scale {
     square_shift = std::max(square_shift, 2 * (light_terms - 31) - balance);
     square_shift += (square_shift + balance) & 1;
     const int light_shift = (square_shift + balance) / 2;
-    return {w.q.quadratic(square_shift), w.r.linear(square_shift - r_shift - SectionForms::root_fraction),
+    const std::int64_t m = scaled(w.m, light_shift - root_shift_ - 58);
+    return {w.q.quadratic(square_shift),
+            w.r.linear(square_shift - r_shift - SectionForms::root_fraction),
             w.l.linear(light_shift - SectionForms::light_fraction),
-            static_cast<std::int32_t>(scaled(w.m, light_shift - root_shift_ - 30)), 0};
+            m,
+            static_cast<std::int32_t>(m >> 28),
+            0};
   }
 
  private:
@@ -93,9 +97,11 @@ class Scale {
 };
 
 // Bits of the largest |z| at both ends of a span and its middle, on the block's first line and half of it down, to within 1; -1 where two
-// of the first line are not known. At a limb b may have either sign.
-int depth_bits(const BlockQuadratic& d, const BlockDepth& depth, std::int32_t lines, std::int32_t from,
+// of the first line are not known. `a_bits` of a. At a limb b may have either sign; where b < 0 half of the block down, the face may lie
+// anywhere if it is not seen there.
+int depth_bits(const BlockQuadratic& d, const BlockDepth& depth, int a_bits, std::int32_t lines, std::int32_t from,
                std::int32_t to) {
+  const auto bits = [](std::int64_t v) { return static_cast<int>(std::bit_width(magnitude(v))); };
   int most = 0;
   int unknown = 0;
   for (const std::int32_t v : {-lines, std::int32_t{0}}) {
@@ -103,10 +109,11 @@ int depth_bits(const BlockQuadratic& d, const BlockDepth& depth, std::int32_t li
     const LineDepth on = depth.on(v);
     for (const std::int32_t t : {from, from + (to - from) / 2, to}) {
       const std::int64_t s = d_on.root(t);
-      const std::int64_t sum = s + (on.b.linear(t) >> BlockDepth::fraction);
-      if (s > 0 && 2 * sum >= s) {
-        most = std::max(most, static_cast<int>(std::bit_width(magnitude(on.c.at(t)))) + 1 -
-                                  static_cast<int>(std::bit_width(magnitude(sum))));
+      const std::int64_t b = on.b.linear(t) >> BlockDepth::fraction;
+      if (s > 0 && 2 * b >= -s) {
+        most = std::max(most, bits(on.c.at(t)) + 1 - bits(s + b));
+      } else if (s > 0 && v < 0) {
+        most = std::max(most, bits(s - b) + 1 - a_bits);
       } else if (v < 0 && ++unknown == 2) {
         return -1;
       }
@@ -187,6 +194,7 @@ void SectionForms::load(const ShadeJob& job, std::int32_t lines, std::int32_t fr
   by_depth = to - from >= fewest_dots && job.face.kind == FaceKind::root && cancels(-lines, from, to) &&
              load_depth(job, root_shift, lines, from, to);
   m_size = static_cast<std::int32_t>(magnitude(m) >> 30) + 1;
+  has_wide_slopes = f.light.exponent == 0 && f.square_root.exponent <= f.discriminant.exponent / 2;
   may_be_dark = f.light_root.is_zero() && f.light.q[0].is_zero() && f.light.exponent == 0;
 }
 
@@ -206,12 +214,12 @@ bool SectionForms::load_depth(const ShadeJob& job, int root_shift, std::int32_t 
   for (std::size_t i = 0; i < 6; ++i) c[i] = with_sign(-rows.c[i]);
   int c_shift = discriminant_bits - size_of(c, half, lines).bits();
   at.c = terms.quadratic(c, c_shift);
-  const int most_bits = depth_bits(d, at, lines, from, to);
+  const Real& a = rows.slope[2];
+  const int most_bits = depth_bits(d, at, a.bits() - c_shift - 2 * unit, lines, from, to);
   if (most_bits < 0) return false;
   c_shift += std::min(28 - most_bits, 1);
   at.c = terms.quadratic(c, c_shift);
   const int z_shift = c_shift + unit;
-  const Real& a = rows.slope[2];
   if (a.bits() - z_shift - unit > 1) return false;
   at.a = terms.one(with_sign(a), 60 - z_shift - unit);
 
@@ -224,10 +232,13 @@ bool SectionForms::load_depth(const ShadeJob& job, int root_shift, std::int32_t 
   const int light_bits_needed = std::max(linear_bits(lit.l), lit.m.bits() + 29 - z_shift) - job.table.light_bits;
   const int shift = std::min((56 - square_bits_needed) >> 1, 30 - light_bits_needed);
   const int light_shift = shift - job.table.light_bits;
-  at.m = terms.one(lit.m, light_shift - z_shift + 58);
+  const std::int64_t light_root = terms.one(lit.m, light_shift - z_shift + 58);
   at.zz = terms.one(lit.square, 2 * (shift - z_shift) + 60);
-  const RootForms forms{terms.quadratic(lit.q, 2 * shift), terms.linear(lit.r, 2 * shift - z_shift + root_fraction),
-                        terms.linear(lit.l, light_shift + light_fraction), static_cast<std::int32_t>(at.m >> 28),
+  const RootForms forms{terms.quadratic(lit.q, 2 * shift),
+                        terms.linear(lit.r, 2 * shift - z_shift + root_fraction),
+                        terms.linear(lit.l, light_shift + light_fraction),
+                        light_root,
+                        static_cast<std::int32_t>(light_root >> 28),
                         static_cast<std::int32_t>(at.zz >> 30)};
   if (terms.error() > BlockDepth::term_error) return false;
   depth = at;
@@ -250,6 +261,20 @@ SectionErrors SectionForms::errors_for(std::int32_t root_error, std::int32_t of_
   const std::int64_t light = (static_cast<std::int64_t>(magnitude(of_m)) * root_error >> 30) + 6;
   const std::int64_t square = (std::int64_t{root_error} << 30) + (std::int64_t{1} << 32) + deep_from;
   return {root_error, static_cast<std::int32_t>(light), static_cast<std::int32_t>(square >> 16) + 1};
+}
+
+// |a| is told to 1 / 2^30 of itself, which with what it is rounded by makes 3 in z; what s and b are off by is over |a|.
+DotDepth SectionForms::depth_behind(DotDepth dot, std::int64_t b, std::int64_t a) {
+  const std::int64_t way = dot.s - b;
+  const int zeros = std::countl_zero(magnitude(a));                               // at least 2
+  if (static_cast<int>(std::bit_width(magnitude(way))) + zeros > 32) return dot;  // |z| < 2^29
+  const std::int64_t value = way * (std::int64_t{1} << (zeros + 27));
+  const std::int32_t size = depth_quotient(value, static_cast<std::uint32_t>(magnitude(a) << zeros >> 33));
+  const std::int64_t error = (std::int64_t{dot.root_error + 2} << std::max(zeros - 3, 0)) + 8;
+  if (error >> 15 != 0) return dot;
+  dot.z = a < 0 ? -size : size;
+  dot.error = static_cast<std::int32_t>(error);
+  return dot;
 }
 
 Answer SectionForms::reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const {

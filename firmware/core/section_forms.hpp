@@ -3,7 +3,7 @@
 //   L = l + m s,  |N|^2 = q + r s,  s = sqrt(D);  D and q quadratic, l and r linear in t and v, dot and line counted from the middle.
 // Depth   Where a line of sight runs nearly along the face's asymptotic cone, l and m s are large and their sum is not. There the forms are
 //         those of z: L = l + m z, |N|^2 = q + r z + zz z^2, whose terms are no larger than what they make. With a z^2, 2 b z and c in
-//         the quadric, and signs such that s = b + a z, z = c / (s + b), however small a is.
+//         the quadric, and signs such that s = b + a z, z = c / (s + b), however small a is; where b < 0, z = (s - b) / a.
 // Ranges  D < 2^59 and |N|^2 < 2^59, q and r 2^30 < 2^58, |L| < 2^31 on the whole block; level k is reached when L > 0 and
 //         L^2 >= squares[k] |N|^2 / 2^32.
 // Errors  A coefficient is rounded down to a unit, so a quadratic's value is off by less than (|t| + |v| + 1)^2, and by 1 more where
@@ -74,7 +74,7 @@ struct BlockDepth {
   BlockLinear b;     // 20 bits of fraction
   BlockQuadratic c;  // its terms are off by less than term_error units
   std::int64_t a = 0;
-  std::int64_t m = 0, zz = 0;  // of L and |N|^2, 58 and 60 bits of fraction
+  std::int64_t zz = 0;  // of |N|^2, 60 bits of fraction
 
   static constexpr int fraction = 20, term_error = 8;
   [[nodiscard]] LineDepth on(std::int32_t v) const { return {b.on(v), c.on(v), a}; }
@@ -83,9 +83,10 @@ struct BlockDepth {
 // What L and |N|^2 are by a root, or by z.
 struct RootForms {
   BlockQuadratic q;
-  BlockLinear r, l;     // 32 and light_fraction bits of fraction
-  std::int32_t m = 0;   // 30 bits of fraction
-  std::int32_t zz = 0;  // of z^2: 30 bits of fraction
+  BlockLinear r, l;         // 32 and light_fraction bits of fraction
+  std::int64_t wide_m = 0;  // 58 bits of fraction
+  std::int32_t m = 0;       // 30 bits of fraction
+  std::int32_t zz = 0;      // of z^2: 30 bits of fraction
 };
 
 // The forms on one line.
@@ -115,6 +116,7 @@ struct SectionForms : RootForms {
   std::int32_t deep_from = 0;                   // from this s on it is off by no more than a root's own error
   SectionErrors errors[2];                      // at a limb, and there
   bool may_be_dark = false;                     // L may be 0 on a whole line
+  bool has_wide_slopes = false;                 // r, l and wide_m, by s, are exact to their last bits
 
   static constexpr int light_fraction = 28, root_fraction = 32;
   static constexpr std::int32_t deep_root_error = 6;
@@ -139,6 +141,8 @@ struct SectionForms : RootForms {
   }
   // At dot t of a line, where the forms are by z.
   [[nodiscard]] DotDepth depth_at(const LinePolynomial& d_on, const LineDepth& depth_on, std::int32_t t) const;
+  // The same of a dot of which but s is known, where b < 0.
+  [[nodiscard]] static DotDepth depth_behind(DotDepth dot, std::int64_t b, std::int64_t a);
   // Whether a dot of the block reaches a level, by its entry in LevelTable::squares.
   [[nodiscard]] Answer reaches(std::int32_t x, std::int32_t y, std::uint32_t square) const;
 
@@ -156,32 +160,35 @@ struct SectionForms : RootForms {
   [[nodiscard]] SectionErrors errors_for(std::int32_t root_error, std::int32_t of_m) const;
 };
 
-// D's error makes E / s in its root or, at a limb, its own root. z is a first quotient by 16 bits of the sum's inverse, and one more of what is
-// left of c. Where s + b is s / 2 or more it is off by no more than s is, but for 1; so is z by c's error and |z| times that, over the sum, and
-// by 5 of floors.
+// value / sum for |value| < 2^29 sum, 2^16 <= sum < 2^31: by 16 bits of the sum's inverse, and once more of what is left. Floors take less than 5.
+[[gnu::always_inline]] inline std::int32_t depth_quotient(std::int64_t value, std::uint32_t sum) {
+  const int zeros = std::countl_zero(sum);  // 1 to 15
+  const auto inverse = static_cast<std::int32_t>(~0U / (sum << zeros >> 16));
+  const auto high = static_cast<std::uint32_t>(value >> 32);
+  const std::uint32_t upper = high << zeros | static_cast<std::uint32_t>(value) >> (32 - zeros);
+  const auto first = static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(upper)} * inverse >> 16);
+  const std::int64_t left = value - std::int64_t{first} * static_cast<std::int32_t>(sum);
+  const std::uint32_t rest = static_cast<std::uint32_t>(left) >> (16 - zeros) | static_cast<std::uint32_t>(left >> 32)
+                                                                                    << (16 + zeros);
+  return first + static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(rest)} * inverse >> 32);
+}
+
+// D's error makes E / s in its root or, at a limb, its own root. Where s + b is s / 2 or more it is off by no more than s is, but for 1; so
+// is z by c's error and |z| times that, over the sum, and by 5 of floors.
 [[gnu::always_inline]] inline DotDepth SectionForms::depth_at(const LinePolynomial& d_on, const LineDepth& depth_on,
                                                               std::int32_t t) const {
   const std::int32_t s = d_on.root(t);
   const std::int32_t root_error = std::min(deep_from / std::max<std::int32_t>(s, 1) + 4, errors[0].root);
   DotDepth dot{s, 0, root_error, DotDepth::far_error};
-  const std::int64_t wide_sum = s + (depth_on.b.linear(t) >> BlockDepth::fraction);
+  const std::int64_t b = depth_on.b.linear(t) >> BlockDepth::fraction;
+  const std::int64_t wide_sum = s + b;
+  if (root_error >> 12 != 0) return dot;
+  if (wide_sum < (s + 1) >> 1) return depth_behind(dot, b, depth_on.a);
   const auto sum = static_cast<std::uint32_t>(wide_sum);
-  if (wide_sum >> 31 != 0 || sum < std::max<std::uint32_t>(static_cast<std::uint32_t>(s + 1) >> 1, 1 << 16) ||
-      root_error >> 12 != 0) {
-    return dot;
-  }
+  if (wide_sum >> 31 != 0 || sum < 1 << 16) return dot;
   const std::int64_t value = depth_on.c.at(t);
-  const auto high = static_cast<std::int32_t>(value >> 32);
-  if (static_cast<std::uint32_t>(magnitude(high)) >= sum >> 3) return dot;
-  const int zeros = std::countl_zero(sum);  // 1 to 15
-  const auto inverse = static_cast<std::int32_t>(~0U / (sum << zeros >> 16));
-  const std::uint32_t upper =
-      static_cast<std::uint32_t>(high) << zeros | static_cast<std::uint32_t>(value) >> (32 - zeros);
-  const auto first = static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(upper)} * inverse >> 16);
-  const std::int64_t left = value - std::int64_t{first} * static_cast<std::int32_t>(sum);
-  const std::uint32_t rest = static_cast<std::uint32_t>(left) >> (16 - zeros) | static_cast<std::uint32_t>(left >> 32)
-                                                                                    << (16 + zeros);
-  dot.z = first + static_cast<std::int32_t>(std::int64_t{static_cast<std::int32_t>(rest)} * inverse >> 32);
+  if (static_cast<std::uint32_t>(magnitude(static_cast<std::int32_t>(value >> 32))) >= sum >> 3) return dot;
+  dot.z = depth_quotient(value, sum);
   const auto c_error = static_cast<std::uint32_t>(BlockDepth::term_error * deep_from);
   const std::uint32_t error =
       (c_error >> 10) + 1 +
