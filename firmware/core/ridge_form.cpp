@@ -10,7 +10,7 @@ namespace {
 
 // Of w, where s is exact: alpha and beta within 64 each, and their sum's rounding; and where they were cut from 60 bits.
 constexpr std::int32_t plain_error = 160, cut_error = 16;
-constexpr int few_bits = 20, many_bits = 26;  // of alpha and beta
+constexpr int few_bits = 18, many_bits = 26;  // of alpha and beta
 constexpr std::int32_t far_error = 1 << 30;   // of a dot of which nothing is known: w is smaller
 constexpr int most_scale = 11;                // of the weights of an arc
 
