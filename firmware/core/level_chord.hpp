@@ -64,7 +64,7 @@ class LevelChord {
   // Whether F is surely above 0 all along, given its values at the ends; or, by `sign` -1, below. It leaves its chord by a quarter of
   // the bow at most, and turns only where the bow is larger than what the ends differ by.
   [[nodiscard]] bool keeps_sign(int sign, std::uint32_t bar, std::int32_t at_a, std::int32_t at_b) const {
-    const std::int64_t way = magnitude(std::int64_t{at_b} - at_a);
+    const auto way = static_cast<std::int64_t>(magnitude(std::int64_t{at_b} - at_a));
     std::int64_t inward = -std::int64_t{sign} * bow(bar);
     inward = inward > way ? inward / 4 : 0;
     return error_ != LevelPlace::unknown &&
