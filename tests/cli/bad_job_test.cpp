@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/cli/cli_fixture.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::testing {
 namespace {
@@ -102,7 +103,7 @@ TEST_F(BadJobs, FromStandardInput) {
 }
 
 // A child takes a fifth of a second to start; tests/core damages jobs by the thousand.
-constexpr int samples = 16;
+constexpr int samples = testing::sanitized ? 8 : 16;
 
 TEST_F(BadJobs, CutAnywhereAreRefused) {
   const std::string job = compiled(crossing);

@@ -1,6 +1,6 @@
 // report_figures_test.cpp - `halfspace report --quick`: rows with figures, and exact shaders without a wrong dot.
 //   Not in a build with the address sanitizer, where a report takes minutes and valgrind does not run at all.
-#if !defined(__SANITIZE_ADDRESS__)
+#ifndef HALFSPACE_SANITIZED
 
 #include <cstdlib>
 #include <map>

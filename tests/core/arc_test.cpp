@@ -9,6 +9,7 @@
 #include "host/job/job_writer.hpp"
 #include "host/job/limits.hpp"
 #include "tests/core/numbers.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -109,7 +110,7 @@ Setting place(const Coefficients& q, Branch branch, Dice& dice) {
 TEST(Arc, LinesSteepShallowAndNearlyLevel) {
   Dice dice(30);
   int lines = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < testing::trials(400); ++trial) {
     const int bits = std::array{6, 40, 100, 200}[trial % 4];
     Coefficients q;
     q[3] = abs(random_bits(dice, trial % 3 == 0 ? 2 : bits)) + 1;
@@ -119,13 +120,13 @@ TEST(Arc, LinesSteepShallowAndNearlyLevel) {
     lines += follow(place(q, Branch::single, dice), dice);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial << ": " << q[3] << " x + " << q[4] << " y + " << q[5];
   }
-  EXPECT_GT(lines, 10000);
+  EXPECT_GT(lines, testing::trials(10000));
 }
 
 TEST(Arc, ConicsOfEveryBranchAndWidth) {
   Dice dice(31);
   std::array<int, 3> lines{};
-  for (int trial = 0; trial < 1200; ++trial) {
+  for (int trial = 0; trial < testing::trials(1200); ++trial) {
     const auto branch = static_cast<Branch>(trial % 3);
     const int bits = std::array{5, 30, 90, 220}[trial / 3 % 4];
     Coefficients q;
@@ -135,7 +136,7 @@ TEST(Arc, ConicsOfEveryBranchAndWidth) {
     lines[static_cast<std::size_t>(trial % 3)] += follow(place(q, branch, dice), dice);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial << " branch " << trial % 3;
   }
-  for (const int n : lines) EXPECT_GT(n, 3000);
+  for (const int n : lines) EXPECT_GT(n, testing::trials(3000));
 }
 
 TEST(Arc, CirclesDoubleLinesAndTies) {
@@ -153,13 +154,13 @@ TEST(Arc, CirclesDoubleLinesAndTies) {
   int lines = 0;
   for (const Coefficients& q : curves) {
     for (const Branch branch : {Branch::left, Branch::right}) {
-      for (int i = 0; i < 30; ++i) {
+      for (int i = 0; i < testing::trials(32); ++i) {
         lines += follow(place(q, branch, dice), dice);
         ASSERT_FALSE(HasFatalFailure()) << q[0] << " " << q[1] << " " << q[2] << " " << q[5];
       }
     }
   }
-  EXPECT_GT(lines, 10000);
+  EXPECT_GT(lines, testing::trials(10000));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "firmware/core/real.hpp"
 #include "tests/core/faces.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -235,7 +236,7 @@ TestFace some_ruled_face(Dice& dice, std::int64_t radius, std::int32_t side, con
 TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
   Dice dice(30);
   Tally tally;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < testing::trials(1500); ++trial) {
     const Lighting lighting = some_lighting(dice);
     const std::int64_t radius = dice() % 4 == 0 ? between(dice, 100, 600) : between(dice, 4, 60);
     const auto side = static_cast<std::int32_t>(2 * radius + 4);
@@ -243,7 +244,7 @@ TEST(SphereContour, GivesTheDotsOfTheDotByDotShader) {
     expect_same_dots(face, lighting, some_levels(dice), side, dice, 4, trial, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 500000U);
+  EXPECT_GT(tally.dots, testing::trials(500000U));
   EXPECT_LT(tally.declined * 2, tally.dots);
   RecordProperty("declined", std::to_string(tally.declined * 100 / tally.dots));
 }
@@ -254,7 +255,7 @@ void expect_same_dots_line_by_line(Dice& dice,
                                    FaceKind kind) {
   Tally tally;
   std::uint64_t straight = 0;
-  for (int trial = 0; trial < trials(200); ++trial) {
+  for (int trial = 0; trial < testing::trials(200); ++trial) {
     const Lighting lighting = dice() % 4 == 0 ? random_lighting(dice) : some_lighting(dice);
     const std::int64_t radius = dice() % 8 == 0 ? between(dice, 100, 400) : between(dice, 20, 80);
     const auto side = static_cast<std::int32_t>(2 * radius + 4);
@@ -279,8 +280,8 @@ void expect_same_dots_line_by_line(Dice& dice,
     }
     straight += canvas.contours.straight.entries > 0 ? 1 : 0;
   }
-  EXPECT_GT(tally.dots, static_cast<std::uint64_t>(trials(300000)));
-  EXPECT_GT(straight, static_cast<std::uint64_t>(trials(60)));
+  EXPECT_GT(tally.dots, testing::trials(300000U));
+  EXPECT_GT(straight, testing::trials(40U));
 }
 
 TEST(StraightContour, GivesTheDotsOfTheDotByDotShader) {

@@ -7,6 +7,7 @@
 #include "host/job/job_bytes.hpp"
 #include "tests/core/numbers.hpp"
 #include "tests/core/sample_job.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -235,11 +236,11 @@ std::vector<std::uint8_t> mutate(std::vector<std::uint8_t> bytes, Dice& dice) {
 }
 
 // Never a crash, a hang or an access out of bounds (the sanitizers watch); a page may come out wrong.
-TEST(HostileJob, TwentyThousandMutationsDoNoHarm) {
+TEST(HostileJob, ThousandsOfMutationsDoNoHarm) {
   const std::array jobs{sample_job(DotFormat::gray).bytes, sample_job(DotFormat::bilevel).bytes,
                         guided_job(DotFormat::gray).bytes};
   std::array<int, 7> count{};
-  for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+  for (std::uint64_t seed = 0; seed < testing::trials(20000U); ++seed) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     const auto bytes = mutate(jobs[seed % jobs.size()], dice);
@@ -248,8 +249,8 @@ TEST(HostileJob, TwentyThousandMutationsDoNoHarm) {
     ++count[static_cast<std::size_t>(drawn.result.status)];
     ASSERT_LT(drawn.result.line, 9 * 16) << "the ninth band is refused";
   }
-  EXPECT_GT(count[static_cast<std::size_t>(DrawStatus::ok)], 1000) << "some mutations are harmless";
-  EXPECT_GT(count[static_cast<std::size_t>(DrawStatus::bad_record)], 5000);
+  EXPECT_GT(count[static_cast<std::size_t>(DrawStatus::ok)], testing::trials(1000)) << "some mutations are harmless";
+  EXPECT_GT(count[static_cast<std::size_t>(DrawStatus::bad_record)], testing::trials(5000));
 }
 
 }  // namespace

@@ -24,14 +24,6 @@ struct ExactDepth {
   int s = 0;
 };
 
-// A third of it under the address sanitizer, which takes some ten times as long.
-constexpr int trials(int count) {
-#if defined(__SANITIZE_ADDRESS__)
-  count /= 3;
-#endif
-  return count;
-}
-
 // A face as the core holds it once its record is read; `lighting` makes a root face's surface.
 [[nodiscard]] TestFace make_face(FaceKind kind, const std::array<mpz_class, 10>& c, std::array<std::int64_t, 3> origin,
                                  int sheet, int light_sign, std::uint32_t order, const Lighting& lighting);

@@ -10,6 +10,7 @@
 #include "firmware/core/ridge_form.hpp"
 #include "firmware/core/root_surface.hpp"
 #include "tests/core/faces.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -97,7 +98,7 @@ std::int32_t random_levels(Dice& dice) {
 TEST(GeneralContour, SolidsOfEverySize) {
   Dice dice(31);
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < testing::trials(3000); ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
     const Lighting lighting = random_lighting(dice);
     const TestFace face =
@@ -107,27 +108,27 @@ TEST(GeneralContour, SolidsOfEverySize) {
     expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 100000U);
+  EXPECT_GT(tally.dots, testing::trials(100000U));
 }
 
 TEST(GeneralContour, RandomCoefficientsOfEverySize) {
   Dice dice(32);
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < testing::trials(3000); ++trial) {
     const Lighting lighting = random_lighting(dice);
     const TestFace face = random_face(dice, FaceKind::root, static_cast<int>(between(dice, 1, 75)), lighting);
     const auto y = static_cast<std::int32_t>(between(dice, 0, 95));
     expect_same_dots(face, lighting, random_levels(dice), y, 96, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 50000U);
+  EXPECT_GT(tally.dots, testing::trials(50000U));
 }
 
 // Depths that are polynomials, such as a paraboloid's seen along its axis, against exact arithmetic by way of the dot by dot shader.
 TEST(GeneralContour, FacesWithPolynomialNormals) {
   Dice dice(39);
   Tally tally;
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < testing::trials(3000); ++trial) {
     Lighting lighting = random_lighting(dice);
     for (auto& row : lighting.matrix) row[3] = 0;
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
@@ -145,7 +146,7 @@ TEST(GeneralContour, FacesWithPolynomialNormals) {
     expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 100000U);
+  EXPECT_GT(tally.dots, testing::trials(100000U));
   EXPECT_LT(tally.asked * 4, tally.dots);
 }
 
@@ -183,7 +184,7 @@ TestFace quotient_face(Dice& dice, std::int32_t width, bool is_solid, const Ligh
 TEST(GeneralContour, FacesWhoseDepthIsAQuotient) {
   Dice dice(40);
   Tally tally;
-  for (int trial = 0; trial < trials(6000); ++trial) {
+  for (int trial = 0; trial < testing::trials(6000); ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 1000 : between(dice, 8, 200));
     const Lighting lighting = random_lighting(dice);
     const TestFace face = quotient_face(dice, width, trial % 2 == 0, lighting);
@@ -191,7 +192,7 @@ TEST(GeneralContour, FacesWhoseDepthIsAQuotient) {
     expect_same_dots(face, lighting, random_levels(dice), y, width, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 200000U);
+  EXPECT_GT(tally.dots, testing::trials(200000U));
   EXPECT_LT(tally.asked * 4, tally.dots);
   EXPECT_LT(tally.exact * 200, tally.dots);
 }
@@ -220,7 +221,7 @@ TEST(GeneralContour, DegenerateQuotients) {
       }
     }
   }
-  EXPECT_GT(tally.dots, 40000U);
+  EXPECT_GT(tally.dots, testing::trials(40000U));
 }
 
 // Hyperboloids seen nearly along their asymptotic cone, where N is a small difference of large terms.
@@ -239,7 +240,7 @@ TestFace asymptotic_face(Dice& dice, std::int32_t width, const Lighting& lightin
 TEST(GeneralContour, EveryLineOfAFace) {
   Dice dice(38);
   std::uint64_t dots = 0;
-  for (int trial = 0; trial < 225; ++trial) {
+  for (int trial = 0; trial < testing::trials(225); ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 50 == 0 ? 400 : between(dice, 8, 100));
     const Lighting lighting = random_lighting(dice);
     const TestFace face = trial % 2 == 0   ? quotient_face(dice, width, true, lighting)
@@ -262,14 +263,14 @@ TEST(GeneralContour, EveryLineOfAFace) {
       }
     }
   }
-  EXPECT_GT(dots, 200000U);
+  EXPECT_GT(dots, testing::trials(200000U));
 }
 
 TEST(GeneralContour, LinesOfSightNearAnAsymptote) {
   Dice dice(39);
   std::uint64_t dots = 0;
   std::uint64_t by_depth = 0;
-  for (int trial = 0; trial < trials(600); ++trial) {
+  for (int trial = 0; trial < testing::trials(600); ++trial) {
     const auto width = static_cast<std::int32_t>(trial % 40 == 0 ? 400 : between(dice, 8, 150));
     const Lighting lighting = random_lighting(dice);
     const TestFace face = asymptotic_face(dice, width, lighting);
@@ -287,15 +288,15 @@ TEST(GeneralContour, LinesOfSightNearAnAsymptote) {
       }
     }
   }
-  EXPECT_GT(dots, 100000U);
-  EXPECT_GT(by_depth, 10000U);
+  EXPECT_GT(dots, testing::trials(100000U));
+  EXPECT_GT(by_depth, testing::trials(10000U));
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and every margin must cover them.
 TEST(GeneralContour, RoundedSurfaces) {
   Dice dice(33);
   Tally tally;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < testing::trials(1500); ++trial) {
     const Lighting lighting = random_lighting(dice);
     TestFace face = solid_face(dice, between(dice, 0, 96), between(dice, 0, 96), between(dice, 5, 90), lighting);
     if (face.active.kind != FaceKind::root) continue;
@@ -307,7 +308,7 @@ TEST(GeneralContour, RoundedSurfaces) {
     expect_same_dots(face, lighting, 256, y, 96, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 20000U);
+  EXPECT_GT(tally.dots, testing::trials(20000U));
 }
 
 // Where a form vanishes, or nearly: apexes, rulings along the line, needles and discs, light along the surface.
@@ -355,7 +356,7 @@ TEST(GeneralContour, DegenerateFaces) {
       }
     }
   }
-  EXPECT_GT(tally.dots, 100000U);
+  EXPECT_GT(tally.dots, testing::trials(100000U));
 }
 
 // As long as a page is wide: several sections.
@@ -367,7 +368,7 @@ TEST(GeneralContour, TheWidestSpan) {
   Dice dice(35);
   Tally tally;
   expect_same_dots(face, lighting, 256, 30, width, dice, tally);
-  EXPECT_GT(tally.dots, 32000U);
+  EXPECT_GT(tally.dots, testing::trials(32000U));
 }
 
 struct ChordTally {
@@ -417,7 +418,7 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
   Dice dice(37);
   ChordTally roots;
   ChordTally quotients;
-  for (int trial = 0; trial < 12000; ++trial) {
+  for (int trial = 0; trial < testing::trials(12000); ++trial) {
     const std::int32_t width = trial % 8 < 2 ? 1000 : 200;
     const Lighting lighting = random_lighting(dice);
     const TestFace face = trial % 2 == 0   ? quotient_face(dice, width, true, lighting)
@@ -455,7 +456,7 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
     }
   }
   for (const ChordTally& tally : {roots, quotients}) {
-    EXPECT_GT(tally.places, 1500);
+    EXPECT_GT(tally.places, testing::trials(1500));
     EXPECT_GT(tally.close * 2, tally.places);
     EXPECT_GT(tally.kept, 10 * tally.places);
   }

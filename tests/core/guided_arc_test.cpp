@@ -12,6 +12,7 @@
 #include "host/job/limits.hpp"
 #include "tests/core/numbers.hpp"
 #include "tests/core/sample_job.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -331,7 +332,7 @@ Setting place(const Form& form, Dice& dice) {
           dice() % 2 == 0, dice() % 2 == 0};
 }
 
-constexpr int trials = 300;
+constexpr int trials = testing::trials(304);
 
 TEST(GuidedArc, RadicalsOfEveryWidth) {
   Dice dice(70);
@@ -342,9 +343,9 @@ TEST(GuidedArc, RadicalsOfEveryWidth) {
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
   for (const ArcKind kind : {ArcKind::radical128, ArcKind::radical256, ArcKind::radical384}) {
-    EXPECT_GT(seen.lines[kind], 2000) << static_cast<int>(kind);
+    EXPECT_GT(seen.lines[kind], testing::trials(2000)) << static_cast<int>(kind);
   }
-  EXPECT_GT(seen.beside_others, 2000);
+  EXPECT_GT(seen.beside_others, testing::trials(2000));
 }
 
 TEST(GuidedArc, QuarticsOfEveryWidth) {
@@ -357,9 +358,9 @@ TEST(GuidedArc, QuarticsOfEveryWidth) {
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
   for (const ArcKind kind : {ArcKind::quartic128, ArcKind::quartic256, ArcKind::quartic384}) {
-    EXPECT_GT(seen.lines[kind], 2000) << static_cast<int>(kind);
+    EXPECT_GT(seen.lines[kind], testing::trials(2000)) << static_cast<int>(kind);
   }
-  EXPECT_GT(seen.beside_others, 2000);
+  EXPECT_GT(seen.beside_others, testing::trials(2000));
 }
 
 TEST(GuidedArc, RootsOnDots) {
@@ -370,7 +371,7 @@ TEST(GuidedArc, RootsOnDots) {
     expect_drawn(place(form, dice), dice, seen);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(seen.ties, 1000);
+  EXPECT_GT(seen.ties, testing::trials(1000));
 }
 
 // x + y sqrt(1) with a coefficient of the given width: values on the page need 7 bits more.

@@ -5,6 +5,7 @@
 
 #include "firmware/core/exact.hpp"
 #include "tests/core/faces.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -91,7 +92,7 @@ std::int32_t random_levels(Dice& dice) {
 TEST(Shade, SolidsAreExactAtEveryDotAndRarelyAskForExactArithmetic) {
   Dice dice(20);
   Tally tally;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < testing::trials(400); ++trial) {
     const Lighting lighting = random_lighting(dice);
     const TestFace face =
         solid_face(dice, between(dice, 0, side), between(dice, 0, side), between(dice, 1, 90), lighting);
@@ -101,14 +102,14 @@ TEST(Shade, SolidsAreExactAtEveryDotAndRarelyAskForExactArithmetic) {
       ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
     }
   }
-  EXPECT_GT(tally.dots, 100000U);
+  EXPECT_GT(tally.dots, testing::trials(100000U));
   EXPECT_LT(tally.exact * 100, tally.dots);
 }
 
 TEST(Shade, RandomCoefficientsOfEverySize) {
   Dice dice(21);
   Tally tally;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < testing::trials(1500); ++trial) {
     const Lighting lighting = random_lighting(dice);
     const FaceKind kind = dice() % 2 == 0 ? FaceKind::root : FaceKind::rational;
     const TestFace face = random_face(dice, kind, static_cast<int>(between(dice, 1, 75)), lighting);
@@ -116,7 +117,7 @@ TEST(Shade, RandomCoefficientsOfEverySize) {
     expect_exact_levels(face, lighting, random_levels(dice), y, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(tally.dots, 50000U);
+  EXPECT_GT(tally.dots, testing::trials(50000U));
 }
 
 // Large coefficients: the surface's polynomials lose low bits, and the filter's margins must cover them.
@@ -124,7 +125,7 @@ TEST(Shade, RoundedSurfacesAreExactToo) {
   Dice dice(22);
   Tally tally;
   int rounded_roots = 0, rounded_squares = 0, rounded_lights = 0;
-  for (int trial = 0; trial < 3000 && tally.dots < 60000; ++trial) {
+  for (int trial = 0; trial < testing::trials(3000) && tally.dots < testing::trials(60000U); ++trial) {
     const Lighting lighting = random_lighting(dice);
     TestFace face = solid_face(dice, between(dice, 0, side), between(dice, 0, side), between(dice, 5, 90), lighting);
     if (face.active.kind != FaceKind::root) continue;
@@ -140,8 +141,8 @@ TEST(Shade, RoundedSurfacesAreExactToo) {
     expect_exact_levels(face, lighting, 256, y, dice, tally);
     ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
   }
-  EXPECT_GT(rounded_roots, 50);
-  EXPECT_GT(rounded_squares, 50);
+  EXPECT_GT(rounded_roots, testing::trials(50));
+  EXPECT_GT(rounded_squares, testing::trials(50));
   RecordProperty("rounded_lights", rounded_lights);
 }
 
@@ -266,7 +267,7 @@ std::vector<std::uint8_t> levels_by_strides(const TestFace& face, const Lighting
 TEST(Stride, ShowsExactLevelsAtItsDotsAndAveragesBetween) {
   Dice dice(26);
   std::uint64_t computed = 0, dots = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < testing::trials(400); ++trial) {
     const Lighting lighting = random_lighting(dice);
     const TestFace face = dice() % 2 == 0 ? solid_face(dice, between(dice, 0, side), between(dice, 0, side),
                                                        between(dice, 20, 90), lighting)
@@ -286,7 +287,7 @@ TEST(Stride, ShowsExactLevelsAtItsDotsAndAveragesBetween) {
       }
     }
   }
-  EXPECT_GT(dots, 50000U);
+  EXPECT_GT(dots, testing::trials(50000U));
   EXPECT_LT(computed * 2, dots);
 }
 
@@ -308,7 +309,7 @@ TEST(Stride, GoesOnFromWalkToWalk) {
 
 TEST(ReachesLevel, AgreesWithGmpInEveryWidthThatHoldsTheFace) {
   Dice dice(25);
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < testing::trials(1500); ++trial) {
     const Lighting lighting = random_lighting(dice);
     const TestFace face = dice() % 2 == 0
                               ? solid_face(dice, 40, 40, between(dice, 1, 50), lighting)

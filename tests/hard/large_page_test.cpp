@@ -10,16 +10,13 @@
 #include "tests/hard/integer_cases.hpp"
 #include "tests/hard/text_cases.hpp"
 #include "tests/oracle/dice.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::testing {
 namespace {
 
 // A tenth of each side serves the sanitizers.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::int32_t width = 704, height = 2000, unit = 20;
-#else
-constexpr std::int32_t width = 7040, height = 20000, unit = 200;
-#endif
+constexpr std::int32_t part = sanitized ? 10 : 1, width = 7040 / part, height = 20000 / part, unit = 200 / part;
 
 // 35.2 by 100 units: little of it is filled, as the core shades every line.
 const char* const text = R"({ long bars, a ring, a needle, two cones, and planes that meet the page's corners }

@@ -12,6 +12,7 @@
 #include "tests/hard/mutate.hpp"
 #include "tests/hard/text_cases.hpp"
 #include "tests/oracle/describe.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::testing {
 namespace {
@@ -20,11 +21,8 @@ using oracle::Dice;
 
 std::uint64_t mutants() {
   if (const char* text = std::getenv("HALFSPACE_MUTANTS")) return std::strtoull(text, nullptr, 10);
-  std::uint64_t count = std::getenv("HALFSPACE_NIGHTLY") != nullptr ? 200000 : 2000;
-#ifdef __SANITIZE_ADDRESS__
-  count /= 10;
-#endif
-  return count;
+  const std::uint64_t count = std::getenv("HALFSPACE_NIGHTLY") != nullptr ? 200000 : 1000;
+  return sanitized ? count / 20 : count;
 }
 
 struct Tally {

@@ -56,32 +56,32 @@ struct Ball {
   Ball operator-() const { return {-v, e}; }
 
   friend Ball operator+(const Ball& a, const Ball& b) {
-    const double v = a.v + b.v;
-    if (whole(a, b, v)) return {v, 0};
-    return {v, (a.e + b.e + std::abs(v) * u) * slack};
+    const double value = a.v + b.v;
+    if (whole(a, b, value)) return {value, 0};
+    return {value, (a.e + b.e + std::abs(value) * u) * slack};
   }
 
   friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
 
   friend Ball operator*(const Ball& a, const Ball& b) {
-    const double v = a.v * b.v;
-    if (whole(a, b, v)) return {v, 0};
-    return {v, (std::abs(a.v) * b.e + std::abs(b.v) * a.e + a.e * b.e + std::abs(v) * u + tiny) * slack};
+    const double value = a.v * b.v;
+    if (whole(a, b, value)) return {value, 0};
+    return {value, (std::abs(a.v) * b.e + std::abs(b.v) * a.e + a.e * b.e + std::abs(value) * u + tiny) * slack};
   }
 
   // Unknown when b may be zero.
   friend Ball operator/(const Ball& a, const Ball& b) {
     const double room = std::abs(b.v) - b.e;
     if (!(room > 0)) return unknown();
-    const double v = a.v / b.v;
-    return {v, ((a.e + std::abs(v) * b.e) / room + std::abs(v) * u + tiny) * slack};
+    const double value = a.v / b.v;
+    return {value, ((a.e + std::abs(value) * b.e) / room + std::abs(value) * u + tiny) * slack};
   }
 
   // Of the part of the ball that is not negative: the caller knows that the true value is not.
   friend Ball sqrt(const Ball& a) {
     if (a.v > a.e) {
-      const double v = std::sqrt(a.v);
-      return {v, (a.e / v + v * u) * slack};
+      const double value = std::sqrt(a.v);
+      return {value, (a.e / value + value * u) * slack};
     }
     const double half = std::sqrt((std::abs(a.v) + a.e) * slack) / 2 * slack;
     return {half, half};

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "tests/oracle/exact_oracle.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::testing {
 
@@ -24,10 +25,7 @@ std::string first_difference(const IntegerScene& scene, const std::vector<std::i
 
 std::uint64_t random_count(std::uint64_t standard) {
   const char* text = std::getenv("HALFSPACE_RANDOM_BODIES");
-#ifdef __SANITIZE_ADDRESS__
-  standard /= 20;  // the sanitizers take some fifteen times as long
-#endif
-  return text == nullptr ? standard : std::strtoull(text, nullptr, 10);
+  return text == nullptr ? (sanitized ? standard / 40 : standard) : std::strtoull(text, nullptr, 10);
 }
 
 }  // namespace halfspace::testing

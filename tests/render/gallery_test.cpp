@@ -10,6 +10,7 @@
 #include "tests/oracle/promise_oracle.hpp"
 #include "tests/render/compare.hpp"
 #include "tests/render/draw_levels.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -28,11 +29,7 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 // The oracles take ten times as long under the sanitizers, which look for other faults: a quarter of each side serves them.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr std::int32_t width = 528, height = 550;
-#else
-constexpr std::int32_t width = 2112, height = 2200;
-#endif
+constexpr std::int32_t part = testing::sanitized ? 4 : 1, width = 2112 / part, height = 2200 / part;
 
 class Gallery : public ::testing::TestWithParam<std::string> {};
 

@@ -8,6 +8,7 @@
 #include "tests/oracle/random_scenes.hpp"
 #include "tests/render/compare.hpp"
 #include "tests/render/draw_levels.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -66,7 +67,7 @@ IntegerScene pile_of_spheres(std::uint64_t seed) {
 TEST(RandomIntegerScenes, PilesOfSpheresAgreeWithTheOracle) {
   std::int64_t inserts = 0;
   std::int64_t lines = 0;  // of all spheres
-  for (std::uint64_t seed = 1; seed <= 24 && !HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= testing::trials(24U) && !HasFailure(); ++seed) {
     const IntegerScene scene = pile_of_spheres(seed);
     const testing::Drawn drawn = testing::draw_levels(scene, seed % 2 == 0 ? Shader::isqrt : Shader::contour);
     ASSERT_EQ(drawn.refusal, "") << "seed " << seed;

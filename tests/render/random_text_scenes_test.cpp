@@ -12,6 +12,7 @@
 #include "tests/oracle/solid_extent.hpp"
 #include "tests/render/compare.hpp"
 #include "tests/render/draw_levels.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace {
 namespace {
@@ -63,7 +64,7 @@ class RandomTextScenes : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomTextScenes, KeepTruthAndPromise) {
   Tally tally;
-  const std::uint64_t count = testing::random_count(10000);
+  const std::uint64_t count = testing::random_count(4000);
   for (std::uint64_t seed = 1 + GetParam(); seed <= count && !HasFailure(); seed += shares)
     check(seed, oracle::random_scene(seed), tally);
   std::printf("random texts, share %llu of %llu: %llu drawn, %llu refused, %llu with a bound over 1/256 dot\n",
@@ -96,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Shares, FittedMeetingScenes, ::testing::Range(std::uint
 // An end that is a millionth of the picture too far out is reached by no solid, one a thousandth too near is passed.
 TEST(FittedExtent, AWrongOneIsTold) {
   int told = 0;
-  constexpr std::uint64_t count = 24;
+  constexpr std::uint64_t count = testing::trials(24U);
   for (std::uint64_t seed = 1; seed <= count; ++seed) {
     const SourceText source{"seed", oracle::random_meeting_scene(seed)};
     const Scene scene = parse_uniquadrix(std::span(&source, 1)).scene;

@@ -14,15 +14,12 @@
 #include "tests/oracle/exact_oracle.hpp"
 #include "tests/oracle/random_scenes.hpp"
 #include "tests/resolve/body_maker.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int rounds = 20;
-#else
-constexpr int rounds = 300;
-#endif
+constexpr int rounds = testing::sanitized ? 20 : 300;
 
 // --- bounds ---
 

@@ -6,17 +6,14 @@
 #include "host/resolve/resolve.hpp"
 #include "tests/resolve/body_maker.hpp"
 #include "tests/resolve/brute_force.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::test {
 namespace {
 
 // A hundredth of HALFSPACE_RANDOM_BODIES, or a thousand: each takes some milliseconds, and under the sanitizers fifteen times as long.
 const std::uint64_t count = [] {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr std::uint64_t standard = 100;
-#else
-  constexpr std::uint64_t standard = 1000;
-#endif
+  constexpr std::uint64_t standard = testing::sanitized ? 60 : 1000;
   const char* text = std::getenv("HALFSPACE_RANDOM_BODIES");
   return text == nullptr ? standard : std::strtoull(text, nullptr, 10) / 100;
 }();

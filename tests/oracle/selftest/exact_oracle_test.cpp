@@ -8,6 +8,7 @@
 
 #include "tests/oracle/describe.hpp"
 #include "tests/oracle/random_scenes.hpp"
+#include "tests/sanitized.hpp"
 
 namespace halfspace::oracle {
 namespace {
@@ -106,7 +107,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 TEST(ExactOracle, FilterAgreesWithGmpOnRandomScenes) {
   Statistics filtered, pure;
   std::uint64_t shown = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < testing::trials(400U); ++seed) {
     const IntegerScene scene = random_integer_scene(seed, 16);
     const std::vector<Dot> quick = explain(scene, 0, 16, {true, false}, &filtered);
     ASSERT_EQ(quick, explain(scene, 0, 16, {false, false}, &pure)) << "seed " << seed << "\n" << describe(scene);
