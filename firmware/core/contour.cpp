@@ -41,15 +41,15 @@ struct Ways {
   std::int32_t step;                         // of general contours
 };
 constexpr Ways cortex_m3{{5200, 0, 285, 0, 200, 23},
-                         {2750, 0, 10, 0, 250, 13},
+                         {700, 170, 10, 250, 100, 13},
                          {650, 0, 0, 0, 110, 110},
                          {400, 0, 0, 0, 44, 44},
                          12000,
                          15500,
-                         30000,
-                         1850,
+                         50000,
+                         1520,
                          12,
-                         350};
+                         230};
 constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
                       {450, 0, 3, 90, 45, 2},
                       {140, 0, 0, 0, 18, 18},
@@ -59,7 +59,7 @@ constexpr Ways x86_64{{150, 29, 18, 0, 25, 3},
                       4600,
                       350,
                       2,
-                      100};
+                      45};
 constexpr const Ways& ways = limb_bits == 32 ? cortex_m3 : x86_64;
 
 // Levels that n dots of the face meet, at the last span's rate, as far as each is met twice; before there is one, each is met once.
@@ -164,8 +164,7 @@ bool shade_by(const ShadeJob& job, Shader shader, std::int32_t y, std::int32_t x
   if (due && face.kind == ContourKind::straight && surveyed_contour(job, y, x0, x1)) return true;
   if (!pays || has_corner(job, y, x0) || !general_contour(job, y, x0, x1)) return false;
   // Where it is dear, as near an apex, it is for some lines.
-  face.dear =
-      std::max<std::int32_t>(ways.general.span + ways.step * face.general.steps - (costs.general - face.dear), 0);
+  face.dear = ways.general.span + ways.step * face.general.steps - (costs.general - face.dear);
   return true;
 }
 

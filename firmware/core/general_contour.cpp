@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "firmware/core/boundary_tracks.hpp"
+#include "firmware/core/chord_divisor.hpp"
 #include "firmware/core/contour.hpp"
 #include "firmware/core/level_chord.hpp"
 #include "firmware/core/line_section.hpp"
@@ -20,8 +21,11 @@ namespace {
 
 constexpr std::int32_t short_piece = 6;   // dots that are asked one by one, rather than cut further
 constexpr std::int32_t first_chord = 24;  // dots
-constexpr std::int32_t short_span = 80;   // dots; chords are tried before a ridge form is made
+constexpr std::int32_t few_dots = 16;     // that are not worth a ridge form: they go one by one
+constexpr std::int32_t least_chord = 8;   // dots of a span that chords are tried on, before a ridge form is made
+constexpr std::int32_t short_span = 80;   // at most
 constexpr int most_failures = 2;          // of these
+constexpr std::int32_t most_vain = 3;     // spans on which they failed: then they are tried on one line of eight
 constexpr std::int32_t many_unsure = 64;  // courses on a block's lines: ridge forms of 64 bits take less
 // Errors of places, 2^-16 dot: a chord is cut above the one, and below the other the next is longer.
 constexpr std::int32_t coarse = 1 << 15, fine = 1 << 11;
@@ -149,6 +153,7 @@ class SpanTracer {
   RidgeStop last_alike(const Ridge& form, RidgeStop from, RidgeStop other) const;
   void ridge_between(const Ridge& form, const Stop& a, const Stop& b);
   void by_pieces(const Ridge& form, const Dot& from, const Dot& to);
+  [[nodiscard]] bool trusts_chords(std::int32_t dots) const;
   [[nodiscard]] std::int32_t only_boundary(std::int32_t k, bool rising, std::int32_t t, std::int32_t width,
                                            const LevelPlace& place) const;
   [[nodiscard]] bool passes(Dot& a, const Dot& c);
@@ -165,17 +170,18 @@ class SpanTracer {
   [[nodiscard, gnu::noinline]] std::int32_t asked_boundary(std::int32_t k, bool rising, std::int32_t before,
                                                            std::int32_t from) const;
 
+  // The levels from the one so far to the next are passed.
+  void reach_level(std::int32_t next) {
+    job_.counters.level_spans += size(next - level_);
+    level_ = next;
+  }
+
   // The next boundary that shows, from level k on; and whether it comes before level `end`.
   [[nodiscard]] std::int32_t edge(std::int32_t k, std::int32_t sign) const {
     return sign > 0 ? edges_.from(k) : edges_.to(k);
   }
   [[nodiscard]] static bool has_boundary(std::int32_t k, std::int32_t end, std::int32_t sign) {
     return (end - k) * sign > 0;
-  }
-
-  void turn(std::int32_t t, std::int32_t level) {
-    painter_.change(line_.middle() + t, level);
-    ++job_.counters.level_spans;
   }
 
   const ShadeJob& job_;
@@ -206,8 +212,8 @@ bool SpanTracer<Parts, Painter>::keeps_level(const Dot& a, const Dot& b) const {
 template <class Parts, class Painter>
 void SpanTracer<Parts, Painter>::dot(const Dot& dot) {
   const std::int32_t next = level_of(dot);
-  if (next != level_) turn(dot.t, next);
-  level_ = next;
+  if (next != level_) painter_.change(line_.middle() + dot.t, next);
+  reach_level(next);
   ++job_.counters.intensities;
 }
 
@@ -344,8 +350,7 @@ void SpanTracer<Parts, Painter>::monotone(Dot a, const Dot& b, bool rising) {
   const std::uint32_t bar_step = rising ? bars_.step : -bars_.step;
   std::int32_t k = rising ? level_ + 1 : level_;  // the next boundary's
   if ((end - k) * sign <= 0) return;
-  job_.counters.level_spans += static_cast<std::uint32_t>((end - k) * sign);
-  level_ = last_level;
+  reach_level(last_level);
   const auto is_beyond = [&](const Dot& dot, std::int32_t lead) {
     return has_boundary(k, end, sign) && (lead > dot.error || (lead >= -dot.error && settle(dot.t, k) == rising));
   };
@@ -419,6 +424,7 @@ template <class Parts, class Painter>
 auto SpanTracer<Parts, Painter>::next_piece(const Ridge& form, const Stop& a, Stop& b) const -> Piece {
   for (;;) {
     const Course course = form.course(a.ridge, b.ridge);
+    job_.contours->general.steps += 5;
     if (course != Course::unsure) return {course, false};
     if (keeps_level(a.dot, b.dot)) return {course, true};
     ++job_.contours->general.unsure_courses;
@@ -481,8 +487,7 @@ bool SpanTracer<Parts, Painter>::passes(Dot& a, const Dot& c) {
     beyond = at;
     painter_.change(line_.middle() + a.t + at, k - below);
   }
-  job_.counters.level_spans += static_cast<std::uint32_t>((next - level_) * sign);
-  level_ = next;
+  reach_level(next);
   return true;
 }
 
@@ -503,7 +508,16 @@ auto SpanTracer<Parts, Painter>::by_chords(Dot a, const Dot& b) -> Dot {
     width *= 2;
     a = c;
   }
+  std::int32_t& vain = job_.contours->general.vain_chords;
+  vain = a.t < b.t ? std::min(vain + 1, most_vain) : 0;
   return a;
+}
+
+// Whether a span is so short, and chords did not fail on the last ones.
+template <class Parts, class Painter>
+bool SpanTracer<Parts, Painter>::trusts_chords(std::int32_t dots) const {
+  return dots >= least_chord && dots <= short_span && !tracks_.any() &&
+         (job_.contours->general.vain_chords < most_vain || y_ % 8 == 0);
 }
 
 // From dot to dot, by pieces whose course is known.
@@ -533,11 +547,15 @@ void SpanTracer<Parts, Painter>::run(std::int32_t x0, std::int32_t x1) {
   level_ = level_of(a);
   painter_.change(x0, level_);
   ++job_.counters.level_spans;
-  if (!is_along_lines(job_.face)) {
+  const std::int32_t dots = x1 - x0 + 1;
+  if (dots > 1 && !is_along_lines(job_.face)) {
     const Dot b = level_dot(x1 - line_.middle());
-    const bool is_short = !tracks_.any() && x1 - x0 < short_span;
-    const Dot from = is_short ? by_chords(a, b) : a;
-    if (from.t < b.t) by_pieces(Parts::ridge(job_.contours->general, on_line_), from, b);
+    const Dot from = trusts_chords(dots) ? by_chords(a, b) : a;
+    if (b.t - from.t >= few_dots) {
+      by_pieces(Parts::ridge(job_.contours->general, on_line_), from, b);
+    } else if (from.t < b.t) {
+      dot_by_dot(from, b);
+    }
   }
   painter_.end(x1);
 }

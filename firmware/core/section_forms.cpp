@@ -144,16 +144,16 @@ class Terms {
 
 }  // namespace
 
-// 32 lines, and a quarter of the span and 16 dots on either side; what the last block had beside, too,
-// where this line crosses it: a face may be seen in several spans.
+// 32 lines, or those that the face has left, and a quarter of the span and as many dots as half of them on either side; what the last block
+// had beside, too, where this line crosses it: a face may be seen in several spans.
 void SectionForms::cover(const ShadeJob& job, std::int32_t y, std::int32_t from, std::int32_t to) {
   const std::int32_t width = to - from + 1;
-  const std::int32_t spare = std::min(width / 4 + 16, (2 * longest_half - width) / 2);
+  const std::int32_t lines = std::min<std::int32_t>((lines_left(job.face, y) + 1) / 2, 16);  // half of them
+  const std::int32_t spare = std::min(width / 4 + lines, (2 * longest_half - width) / 2);
   const std::int32_t left = from - spare;
   const std::int32_t right = to + spare;
   const bool joins =
       half != 0 && !by_depth && y0 <= y && y < y1 && std::max(to, x1) - std::min(from, x0) < 2 * longest_half;
-  constexpr std::int32_t lines = 16;  // half of them
   if (joins) {
     const std::int32_t joined = std::max(std::min(x0, left), to - 2 * longest_half + 1);
     cover(job, {joined, std::min(std::max(x1, right), joined + 2 * longest_half - 1), y, lines}, from, to);
