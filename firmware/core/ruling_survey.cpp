@@ -357,6 +357,12 @@ class Survey {
   // Over what is not proven: any level may be met there, as an entry says that tells the level before once more.
   [[nodiscard]] bool step_over(std::uint32_t end) {
     if (keeps_level(end - at_)) return settle_level(end);
+    // What is proven of a part goes with its square.
+    for (const std::uint32_t part = (end - at_ + 7) / 8; keeps_level(part);) {
+      at_ = std::min(at_ + part, end);
+      light_ = arc_.at(at_);
+      if (at_ == end) return true;
+    }
     const std::int32_t place = arc_.place(at_);
     std::int32_t level = level_;
     if (!settle_level(end) || !holds(place, arc_.place(at_))) return false;
