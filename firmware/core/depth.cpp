@@ -209,6 +209,21 @@ void bound_depth(ActiveFace& face, std::int32_t y, std::int32_t a, std::int32_t 
   face.block.y0 = face.block.y1 = static_cast<std::int16_t>(y);
 }
 
+std::int32_t find_turn(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y, std::int32_t a,
+                       std::int32_t b, Counters& counters) {
+  const DepthLine f_line(f, y);
+  const DepthLine g_line(g, y);
+  const auto sign_at = [&](std::int32_t x) {
+    counters.depth_samples += 2;
+    return sure_sign({x, f_line.at(x), g_line.at(x)});
+  };
+  const std::int32_t guess = std::clamp<std::int32_t>(proof.crossing, a, b);
+  const std::int32_t turn = find_change(sign_at, a - 1, b + 1, -proof.turn, guess);
+  if (turn < 0) return -1;
+  proof.crossing = static_cast<std::int16_t>(turn);
+  return turn;
+}
+
 DepthOrder::DepthOrder(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y, std::int32_t a,
                        std::int32_t b, const ExactModule& exact, Counters& counters)
     : f_(f),

@@ -75,6 +75,11 @@ struct DepthPair {
   DepthSample f, g;
 };
 
+// The dot of a .. b of line y from which on g is nearer where f is before, or f where g is, as the turn of their proof says, which holds them:
+// a or b + 1 where one is on all. -1: it cannot be told.
+[[nodiscard]] std::int32_t find_turn(const ActiveFace& f, const ActiveFace& g, DepthProof& proof, std::int32_t y,
+                                     std::int32_t a, std::int32_t b, Counters& counters);
+
 // The order of two faces, whose blocks hold the run, along the run a .. b of scan line y: next() gives maximal-effort pieces from left to
 // right.
 class DepthOrder {

@@ -11,11 +11,11 @@ namespace halfspace {
 namespace {
 
 constexpr std::int32_t largest_dot = 32767;
-constexpr std::int32_t least_rows = 8;   // of a proof
-constexpr std::int32_t most_rows = 256;  // of a block
-constexpr std::int32_t columns = 4;      // of a proof by columns
-constexpr std::int32_t column_rows = 16;
-constexpr std::int32_t column_margin = 12;  // dots that its run may move by
+constexpr std::int32_t least_rows = 8;      // of a proof
+constexpr std::int32_t most_rows = 256;     // of a block
+constexpr std::int32_t column_rows = 16;    // of a proof by columns
+constexpr std::int32_t least_column = 8;    // dots
+constexpr std::int32_t column_margin = 16;  // dots that its run may move by
 constexpr std::int64_t most_dots = largest_depth >> depth_fraction;
 
 int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(length))); }
@@ -145,8 +145,18 @@ class Maker {
   std::int32_t x_, y_;  // the block's first dot in the face's frame
 };
 
+// Of a face's root over the dots and lines of a proof, in the block's units.
+Interval root_on(const ActiveFace& face, const DepthProof& over) {
+  if (face.kind != FaceKind::root) return {0, 0};
+  const DepthBlock& k = face.block;
+  return root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
+}
+
+Interval operator-(const Interval& a, const Interval& b) { return {a.low - b.high, a.high - b.low}; }
+
 // Of f less g in 2^-16 dots.
-Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
+Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over, const Interval& f_root,
+                    const Interval& g_root) {
   constexpr std::int64_t none = std::int64_t{1} << 62;
   Interval linear{none, -none};
   const auto linear_at = [](const ActiveFace& face, std::int32_t x, std::int32_t y) {
@@ -161,39 +171,83 @@ Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& 
       linear.high = std::max(linear.high, at);
     }
   }
-  const auto root_of = [&over](const ActiveFace& face) -> Interval {
-    if (face.kind != FaceKind::root) return {0, 0};
-    const DepthBlock& k = face.block;
-    const Interval r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
-    const std::int64_t low = r.low * face.inverse >> k.shift;
-    const std::int64_t high = r.high * face.inverse >> k.shift;
+  const auto in_dots = [](const ActiveFace& face, const Interval& root) -> Interval {
+    const std::int64_t low = root.low * face.inverse >> face.block.shift;
+    const std::int64_t high = root.high * face.inverse >> face.block.shift;
     return face.sheet < 0 ? Interval{-high, -low} : Interval{low, high};
   };
-  const Interval root = root_of(f);
-  const Interval rival = root_of(g);
+  const Interval root = in_dots(f, f_root);
+  const Interval rival = in_dots(g, g_root);
   const std::int64_t error = 2 * (f.block.error + g.block.error);
   return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
 }
 
+int sign_of(const Interval& v) { return v.high < 0 ? -1 : (v.low > 0 ? 1 : 0); }
+
 // DepthProof::nearer on all its dots.
 int nearer_on(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
-  const Interval distance = difference(f, g, over);
-  return distance.high < 0 ? -1 : (distance.low > 0 ? 1 : 0);
+  return sign_of(difference(f, g, over, root_on(f, over), root_on(g, over)));
 }
 
-// The same from columns, each with bounds of its own.
-int nearer_on_columns(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
-  const std::int32_t width = over.x1 - over.x0;
-  int nearer = 0;
-  for (std::int32_t i = 0; i < columns; ++i) {
-    DepthProof column = over;
-    column.x0 = static_cast<std::int16_t>(over.x0 + width * i / columns);
-    column.x1 = static_cast<std::int16_t>(over.x0 + width * (i + 1) / columns);
-    const int here = nearer_on(f, g, column);
-    if (here == 0 || here == -nearer) return 0;
-    nearer = here;
+// Of a face's slope along the line in 2^-16 dots a dot, where it exists; a side without bound: `steep`.
+// With r = sqrt(D), r' = D' / 2 r, and D' is linear. docs/core.md, "Bound of a sample".
+constexpr std::int64_t steep = std::int64_t{1} << 61;
+
+Interval slope_on(const ActiveFace& face, const DepthProof& over, const Interval& root) {
+  constexpr std::int64_t most = std::int64_t{1} << 35;  // in 2^-x_bits units a dot
+  constexpr int low_bits = 6;                           // of these, left out
+  const DepthBlock& k = face.block;
+  const int shift = k.shift + k.x_bits - low_bits;
+  if (k.x_bits < low_bits) return {-steep, steep};
+  const std::int64_t linear = -(k.bx * (std::int64_t{1} << k.x_bits) >> 16);
+  Interval n{linear - 2, linear};
+  if (face.kind == FaceKind::root) {
+    const std::int64_t across_x = 2 * k.dxx * (over.x1 - over.x0);
+    const std::int64_t across_y = k.dxy * (over.y1 - over.y0);
+    const std::int64_t corner = k.dx + k.dxy * (over.y0 - k.y0) + 2 * k.dxx * (over.x0 - k.x0);
+    const std::int64_t low =
+        corner + std::min<std::int64_t>(across_x, 0) + std::min<std::int64_t>(across_y, 0) - 2 * k.shallow;
+    const std::int64_t high =
+        corner + std::max<std::int64_t>(across_x, 0) + std::max<std::int64_t>(across_y, 0) + 2 * k.shallow;
+    const auto over_root = [](std::int64_t v, std::int64_t r) {
+      return r > 0 ? v / (2 * r) : (v < 0 ? -steep : steep);
+    };
+    const std::int64_t falls = over_root(low, low < 0 ? root.low : root.high) - 1;
+    const std::int64_t rises = over_root(high, high > 0 ? root.low : root.high) + 1;
+    n = face.sheet < 0 ? Interval{n.low - rises, n.high - falls} : Interval{n.low + falls, n.high + rises};
   }
-  return nearer;
+  const auto in_dots = [&](std::int64_t v) { return (v >> low_bits) * face.inverse >> std::min(shift, 63); };
+  const std::int64_t error = (std::int64_t{face.inverse} >> std::min(shift, 63)) + 2;
+  const auto error_of = [&](std::int64_t z) { return error + ((z < 0 ? -z : z) >> 29); };
+  Interval slope{-steep, steep};
+  if (n.low > -most && n.low < most) slope.low = in_dots(n.low) - error_of(in_dots(n.low));
+  if (n.high > -most && n.high < most) slope.high = in_dots(n.high) + error_of(in_dots(n.high));
+  return slope;
+}
+
+// DepthProof::nearer, or else DepthProof::turn, by columns as wide as it takes.
+void prove_by_columns(const ActiveFace& f, const ActiveFace& g, DepthProof& over) {
+  DepthProof column = over;
+  std::int32_t width = (over.x1 - over.x0) / 4;
+  int nearer = 0, turn = 0;
+  while (column.x0 < over.x1) {
+    column.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(column.x0 + width, over.x1));
+    const Interval root = root_on(f, column);
+    const Interval rival = root_on(g, column);
+    const int here = sign_of(difference(f, g, column, root, rival));
+    const int way = here != 0 ? turn : sign_of(slope_on(f, column, root) - slope_on(g, column, rival));
+    if (here == 0 && (way == 0 || way == -turn)) {
+      if (width < 2 * least_column) return;
+      width /= 2;
+      continue;
+    }
+    nearer = here;
+    turn = way;
+    column.x0 = column.x1;
+    width *= 2;
+  }
+  over.turn = static_cast<std::int8_t>(turn);
+  if (turn == 0) over.nearer = static_cast<std::int8_t>(nearer);
 }
 
 // How z bends along a line: -1 convex, 1 concave, 0 straight; 2: it cannot be told.
@@ -261,19 +315,24 @@ DepthProof& prove_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std:
   proof.y0 = static_cast<std::int16_t>(y);
   proof.y1 = std::min({static_cast<std::int16_t>(y + std::max(margin, least_rows) - 1), f.block.y1, g.block.y1});
   proof.nearer = 0;
-  if (changes || f.block.error < 0 || g.block.error < 0) return proof;
-  if (proof.radical.fraction != RadicalPlane::missing) {
-    proof.nearer = static_cast<std::int8_t>(proof.inner * nearer_by_plane(proof.inner < 0 ? f : g, proof));
-  } else {
-    proof.nearer = static_cast<std::int8_t>(nearer_on(f, g, proof));
+  proof.turn = 0;
+  if (f.block.error < 0 || g.block.error < 0) return proof;
+  if (!changes) {
+    const bool is_parted = proof.radical.fraction != RadicalPlane::missing;
+    proof.nearer = static_cast<std::int8_t>(is_parted ? proof.inner * nearer_by_plane(proof.inner < 0 ? f : g, proof)
+                                                      : nearer_on(f, g, proof));
   }
   if (proof.nearer != 0 || proof.inner != 0 || x1 - x0 < 32) return proof;
   DepthProof near = proof;
   near.x0 = std::max(proof.x0, static_cast<std::int16_t>(x0 - column_margin));
   near.x1 = std::min(proof.x1, static_cast<std::int16_t>(x1 + column_margin));
   near.y1 = std::min(proof.y1, static_cast<std::int16_t>(y + column_rows - 1));
-  near.nearer = static_cast<std::int8_t>(nearer_on_columns(f, g, near));
-  if (near.nearer != 0) proof = near;
+  prove_by_columns(f, g, near);
+  if (near.nearer != 0 || near.turn != 0) {
+    proof = near;
+  } else {
+    proof.y1 = near.y1;
+  }
   return proof;
 }
 

@@ -55,6 +55,8 @@ inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::in
 //         concave D is convex and a back sheet concave, a plane both. Two such sheets of quadrics whose second-order terms are in proportion
 //         (spheres): with z = m - r the halves m differ by a constant k, r r by a linear form P. Where k >= 0, f is behind where
 //         r_f <= r_g + k, or P - k k - 2 k r_g <= 0: convex again, and g is the inner one. Back sheets exchange f and g, and the sign of z.
+//         Turn: cut into columns, in each of which the sign of f less g or that of its slope along the line is told by bounds, and of the
+//         slopes all that tell where the other does not agree. Neighbouring columns share a dot.
 [[nodiscard]] DepthProof& prove_order(ActiveFace& f, const ActiveFace& g, std::int32_t y, std::int32_t x0,
                                       std::int32_t x1);
 
@@ -65,6 +67,21 @@ inline const DepthBlock& bounded_strip(ActiveFace& face, std::int32_t y, std::in
     if (proof.rival == g.order && proof.holds(y, x0, x1)) return proof;
   }
   return prove_order(f, g, y, x0, x1);
+}
+
+// The right one of two dots between which the sign changes, looked for about `guess`; left < right have different ones, `left_sign` the left.
+// INT32_MIN: it cannot be told.
+template <class SignAt>
+std::int32_t find_change(const SignAt& sign_at, std::int32_t left, std::int32_t right, int left_sign,
+                         std::int32_t guess) {
+  for (std::int32_t step = 1; right - left > 1; step *= 2) {
+    const std::int32_t x = left < guess && guess < right ? guess : left + (right - left) / 2;
+    const int sign = sign_at(x);
+    if (sign == 0) return INT32_MIN;
+    (sign == left_sign ? left : right) = x;
+    guess = sign == left_sign ? x + step : x - step;
+  }
+  return right;
 }
 
 // floor(v n 2^-bits) for |v| < 2^60 and 0 <= n < 2^bits <= 2^16.

@@ -91,12 +91,15 @@ struct RadicalPlane {
 
 // What is known of a face and a rival on dots x0 .. x1 of lines y0 .. y1: -1, the face is the nearer one; 1, the rival is; 0, it takes a
 // closer look. On every line, `inner` is nearer on no dot, on one or on neighbouring ones: -1, the face; 1, the rival; 0, it cannot be told.
+// `turn`: on every line it changes once at most; 1, from the face to the rival, left to right; -1, from the rival to the face; 0, it cannot
+// be told.
 // A rival is told by its order, which no other face has.
 struct DepthProof {
   std::uint32_t rival = 0;
   std::int16_t x0 = 0, x1 = -1, y0 = 0, y1 = -1;
-  std::int8_t nearer = 0, inner = 0;
-  std::int16_t crossing = -1;  // where the order changed on the last line that asked; -1: nowhere
+  std::int8_t nearer = 0;
+  std::int8_t inner : 4 = 0, turn : 4 = 0;
+  std::int16_t crossing = -1;  // where the order changed on the last line that asked, or beyond its dots; -1: nowhere
   RadicalPlane radical;
 
   [[nodiscard]] bool holds(std::int32_t y, std::int32_t from, std::int32_t to) const {

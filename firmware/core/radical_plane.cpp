@@ -64,19 +64,6 @@ class RadicalLine {
   int shift_;
 };
 
-// The right one of the two dots between which the sign changes, looked for about `guess`; -1: it cannot be told.
-std::int32_t find_change(const RadicalLine& line, std::int32_t left, std::int32_t right, int left_sign,
-                         std::int32_t guess) {
-  for (std::int32_t step = 1; right - left > 1; step *= 2) {
-    const std::int32_t x = left < guess && guess < right ? guess : left + (right - left) / 2;
-    const int sign = line.sign(x);
-    if (sign == 0) return -1;
-    (sign == left_sign ? left : right) = x;
-    guess = sign == left_sign ? x + step : x - step;
-  }
-  return right;
-}
-
 // Dots a and b show the rival. The dot between where D - l^2 is greatest, or about there, by its slopes at both ends.
 std::int32_t find_top(const RadicalLine& line, std::int32_t a, std::int32_t b) {
   if (b - a < 2) return a;
@@ -160,8 +147,9 @@ bool find_inner_dots(const ActiveFace& inner, DepthProof& proof, std::int32_t y,
     if (sign < 0) found.to = a - 1;
     if (sign <= 0) return sign < 0 && is_negative(line, a, b, top);
   }
-  if (left < 0) found.from = find_change(line, a, top, left, guess);
-  if (right < 0) found.to = find_change(line, top, b, 1, guess) - 1;
+  const auto sign_at = [&line](std::int32_t x) { return line.sign(x); };
+  if (left < 0) found.from = find_change(sign_at, a, top, left, guess);
+  if (right < 0) found.to = find_change(sign_at, top, b, 1, guess) - 1;
   if (found.from < 0 || found.to < 0) return false;
   proof.crossing = static_cast<std::int16_t>(left < 0 ? found.from : found.to + 1);
   return true;

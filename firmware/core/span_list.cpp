@@ -62,6 +62,12 @@ bool SpanList::contest(DepthProof& proof, std::uint16_t face, std::uint16_t old_
              (dots.to == x1 || add(outer, dots.to + 1, x1));
     }
   }
+  if (proof.turn != 0) {
+    const std::int32_t turn = find_turn(faces_[face], faces_[old_face], proof, y_, x0, x1, counters_);
+    const std::uint16_t before = proof.turn > 0 ? face : old_face;
+    const std::uint16_t behind = proof.turn > 0 ? old_face : face;
+    if (turn >= 0) return (turn == x0 || add(before, x0, turn - 1)) && (turn > x1 || add(behind, turn, x1));
+  }
   DepthOrder order(faces_[face], faces_[old_face], proof, y_, x0, x1, exact_, counters_);
   while (!order.done()) {
     const DepthOrder::Piece piece = order.next();

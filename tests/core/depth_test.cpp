@@ -142,6 +142,57 @@ TEST(ProvenOrder, HoldsOnAllDotsOfTheProof) {
   EXPECT_GT(proven, 5000);
 }
 
+// The dots of a run on one line from left to right: the order turns that way alone, where find_turn says.
+void expect_turn(const TestFace& f, const TestFace& g, DepthProof& proof, std::int32_t y, DotRun run) {
+  Counters counters;
+  const std::int32_t found = find_turn(f.active, g.active, proof, y, run.x0, run.x1, counters);
+  int last = -proof.turn;
+  for (std::int32_t x = run.x0; x <= run.x1; ++x) {
+    const int sign = testing::compare(*testing::depth_at(f, x, y), *testing::depth_at(g, x, y));
+    ASSERT_TRUE(sign == last || last == -proof.turn) << "dot " << x << " line " << y;
+    last = sign;
+    if (found < 0) continue;
+    ASSERT_EQ(sign, x < found ? -proof.turn : proof.turn) << "dot " << x << " line " << y;
+  }
+}
+
+TEST(ProvenOrder, TurnsOnceOnAllLinesOfTheProof) {
+  Dice dice(17);
+  const Lighting lighting = random_lighting(dice);
+  int changes = 0;
+  int constant = 0;
+  for (int trial = 0; trial < trials(6000); ++trial) {
+    const auto solid = [&] {
+      return solid_face(dice, between(dice, 10, 70), between(dice, 20, 60), between(dice, 20, 60), lighting);
+    };
+    TestFace f = solid();
+    TestFace g = trial % 4 == 0 ? random_face(dice, FaceKind::plane, 6, lighting) : solid();
+    if (f.active.kind == FaceKind::rational || g.active.kind == FaceKind::rational) continue;
+    f.active.order = 1;
+    g.active.order = 2;
+    const auto first = static_cast<std::int32_t>(between(dice, 0, side - 1));
+    const auto a = static_cast<std::int32_t>(between(dice, 0, 20));
+    const auto b = static_cast<std::int32_t>(between(dice, a + 34, side - 1));
+    for (TestFace* face : {&f, &g}) make_block(face->active, first, a, b);
+    DepthProof& proof = proven_order(f.active, g.active, first, a, b);
+    if (proof.turn == 0) continue;
+    ASSERT_EQ(proof.nearer, 0);
+    for (std::int32_t y = proof.y0; y <= proof.y1; ++y) {
+      for (const DotRun& one : runs_of(f, y, proof.x1 + 1)) {
+        for (const DotRun& other : runs_of(g, y, proof.x1 + 1)) {
+          const DotRun both{std::max<std::int32_t>({one.x0, other.x0, proof.x0}), std::min(one.x1, other.x1)};
+          if (both.x0 > both.x1) continue;
+          expect_turn(f, g, proof, y, both);
+          ASSERT_FALSE(HasFatalFailure()) << "trial " << trial;
+          (both.x0 < proof.crossing && proof.crossing <= both.x1 ? changes : constant) += 1;
+        }
+      }
+    }
+  }
+  EXPECT_GT(changes, trials(1000));
+  EXPECT_GT(constant, trials(1000));
+}
+
 TEST(CompareDepth, AgreesWithGmp) {
   Dice dice(12);
   const Lighting lighting = random_lighting(dice);
