@@ -40,27 +40,30 @@ void value_and_slope(const std::array<std::int64_t, N>& c, std::uint32_t tau, st
   }
 }
 
-Real dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+BoundedReal dot(const RealVector& a, const RealVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Powers of tau from the coefficients of sigma^i tau^j, binomials taken in.
-std::array<Real, 3> powers(const Real& a, const Real& b, const Real& c) { return {a, b - (a + a), a - b + c}; }
-std::array<Real, 5> powers(const Real& a, const Real& b, const Real& c, const Real& d, const Real& e) {
-  const Real three(3);
-  const Real four(4);
-  return {a, b - four * a, Real(6) * a - three * b + c, three * b - four * a - (c + c) + d, a - b + c - d + e};
+std::array<BoundedReal, 3> powers(const BoundedReal& a, const BoundedReal& b, const BoundedReal& c) {
+  return {a, b - (a + a), a - b + c};
+}
+std::array<BoundedReal, 5> powers(const BoundedReal& a, const BoundedReal& b, const BoundedReal& c,
+                                  const BoundedReal& d, const BoundedReal& e) {
+  const BoundedReal three(3);
+  const BoundedReal four(4);
+  return {a, b - four * a, BoundedReal(6) * a - three * b + c, three * b - four * a - (c + c) + d, a - b + c - d + e};
 }
 
 // The least b such that all are below 2^b.
 template <std::size_t N>
-int bits_of(const std::array<Real, N>& values) {
+int bits_of(const std::array<BoundedReal, N>& values) {
   int bits = -1000;
-  for (const Real& v : values) bits = std::max(bits, v.bits());
+  for (const BoundedReal& v : values) bits = std::max(bits, v.bits());
   return bits;
 }
 
 // Returns the sum of the errors.
 template <std::size_t N>
-std::int64_t put(std::array<std::int64_t, N>& out, const std::array<Real, N>& values, int bits) {
+std::int64_t put(std::array<std::int64_t, N>& out, const std::array<BoundedReal, N>& values, int bits) {
   std::int64_t error = 0;
   for (std::size_t i = 0; i < N; ++i) {
     out[i] = values[i].fixed(bits);
@@ -83,59 +86,60 @@ std::array<std::int64_t, N> halved(std::array<std::int64_t, N>& c) {
 }  // namespace
 
 bool CrossArc::make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting) {
-  const Real ss = a.s * b.s;
-  const Real polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
+  const BoundedReal ss = a.s * b.s;
+  const BoundedReal polar = line.d2 + (line.d1 * (a.x + b.x)).half() + line.d0 * a.x * b.x;
   // polar + ss without cancellation: where it has one, by way of polar - ss and their product polar^2 - ss^2.
-  const Real width = b.x - a.x;
-  const Real product = (line.d1.half() * line.d1.half() - line.d0 * line.d2) * width * width;
-  const Real whole = polar.sign() < 0 ? product / (polar - ss) : polar + ss;
+  const BoundedReal width = b.x - a.x;
+  const BoundedReal product = (line.d1.half() * line.d1.half() - line.d0 * line.d2) * width * width;
+  const BoundedReal whole = polar.sign() < 0 ? product / (polar - ss) : polar + ss;
   if (whole.sign() <= 0) return false;
-  const Real root = (whole + whole).root();
-  const Real kappa = Real(1) / root;
-  const Real height = root.half();  // of kappa T along s: kappa (P + sA sB)
+  const BoundedReal root = (whole + whole).root();
+  const BoundedReal kappa = BoundedReal(1) / root;
+  const BoundedReal height = root.half();  // of kappa T along s: kappa (P + sA sB)
 
   RealVector na;
   RealVector nb;
   RealVector nt;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Real flat_a = line.normal[i] + line.normal_step[i] * a.x;
-    const Real flat_b = line.normal[i] + line.normal_step[i] * b.x;
+    const BoundedReal flat_a = line.normal[i] + line.normal_step[i] * a.x;
+    const BoundedReal flat_b = line.normal[i] + line.normal_step[i] * b.x;
     na[i] = flat_a + line.normal_root[i] * a.s;
     nb[i] = flat_b + line.normal_root[i] * b.s;
     nt[i] = kappa * (b.s * flat_a + a.s * flat_b) + height * line.normal_root[i];
   }
-  const Real twice = kappa + kappa;
+  const BoundedReal twice = kappa + kappa;
   return make(na, nt, nb, {twice * a.s, twice * (a.s + b.s)}, lighting);
 }
 
-bool CrossArc::make(const RealVector& na, const RealVector& nt, const RealVector& nb, const std::array<Real, 2>& places,
-                    const Lighting& lighting) {
+bool CrossArc::make(const RealVector& na, const RealVector& nt, const RealVector& nb,
+                    const std::array<BoundedReal, 2>& places, const Lighting& lighting) {
   RealVector towards;  // the light: of length 1
   std::int64_t light_squared = 0;
   for (const std::int32_t l : lighting.light) light_squared += static_cast<std::int64_t>(l) * l;
-  const Real length = Real(light_squared).root();
-  for (std::size_t i = 0; i < 3; ++i) towards[i] = Real(lighting.light[i]) / length;
-  const Real l0 = dot(towards, na);
-  const Real l1 = dot(towards, nt);
-  const Real l2 = dot(towards, nb);
-  const Real n0 = dot(na, na);
-  const Real n1 = dot(na, nt);
-  const Real pole = dot(nt, nt);
-  const Real n2 = dot(na, nb) + pole + pole;  // three times Bernstein's
-  const Real n3 = dot(nt, nb);
-  const Real n4 = dot(nb, nb);
+  const BoundedReal length = BoundedReal(light_squared).root();
+  for (std::size_t i = 0; i < 3; ++i) towards[i] = BoundedReal(lighting.light[i]) / length;
+  const BoundedReal l0 = dot(towards, na);
+  const BoundedReal l1 = dot(towards, nt);
+  const BoundedReal l2 = dot(towards, nb);
+  const BoundedReal n0 = dot(na, na);
+  const BoundedReal n1 = dot(na, nt);
+  const BoundedReal pole = dot(nt, nt);
+  const BoundedReal n2 = dot(na, nb) + pole + pole;  // three times Bernstein's
+  const BoundedReal n3 = dot(nt, nb);
+  const BoundedReal n4 = dot(nb, nb);
 
-  const std::array<Real, 3> light = powers(l0, l1 + l1, l2);
-  const std::array<Real, 5> square = powers(n0, Real(4) * n1, n2 + n2, Real(4) * n3, n4);
+  const std::array<BoundedReal, 3> light = powers(l0, l1 + l1, l2);
+  const std::array<BoundedReal, 5> square = powers(n0, BoundedReal(4) * n1, n2 + n2, BoundedReal(4) * n3, n4);
   // Sums of three and of five stay below 1.
   const int scale = std::max((bits_of(square) + 4) >> 1, bits_of(light) + 2);
-  const std::array<Real, 5> slope{l1 * n0 - l0 * n1, l1 * n1 * Real(2) + l2 * n0 - l0 * n2,
-                                  Real(3) * (l2 * n1 - l0 * n3), l2 * n2 - l1 * n3 * Real(2) - l0 * n4,
-                                  l2 * n3 - l1 * n4};
-  const std::array<Real, 5> slope_powers = powers(slope[0], slope[1], slope[2], slope[3], slope[4]);
+  const std::array<BoundedReal, 5> slope{l1 * n0 - l0 * n1, l1 * n1 * BoundedReal(2) + l2 * n0 - l0 * n2,
+                                         BoundedReal(3) * (l2 * n1 - l0 * n3),
+                                         l2 * n2 - l1 * n3 * BoundedReal(2) - l0 * n4, l2 * n3 - l1 * n4};
+  const std::array<BoundedReal, 5> slope_powers = powers(slope[0], slope[1], slope[2], slope[3], slope[4]);
   const int slope_bits = form_bits - 3 - std::max(bits_of(slope), bits_of(slope_powers));
-  const Real quarter = Real(1).half().half();
-  const std::array<Real, 5> points{slope[0], slope[1] * quarter, slope[2] / Real(6), slope[3] * quarter, slope[4]};
+  const BoundedReal quarter = BoundedReal(1).half().half();
+  const std::array<BoundedReal, 5> points{slope[0], slope[1] * quarter, slope[2] / BoundedReal(6), slope[3] * quarter,
+                                          slope[4]};
   std::array<std::int64_t, 2> weights{};
   // A place's divisor is at least weight_ sigma tau, and 1/2.
   const int steepness = bits_of(places);

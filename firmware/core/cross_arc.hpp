@@ -24,17 +24,17 @@
 
 namespace halfspace {
 
-using RealVector = std::array<Real, 3>;
+using RealVector = std::array<BoundedReal, 3>;
 
 // One scan line's forms about a dot of it: x counts from there.
 struct CrossLine {
-  Real d0, d1, d2;                 // D = d2 + d1 x + d0 x^2
+  BoundedReal d0, d1, d2;          // D = d2 + d1 x + d0 x^2
   RealVector normal, normal_step;  // N = normal + normal_step x + normal_root s
   RealVector normal_root;
 };
 
 struct ArcEnd {
-  Real x, s;
+  BoundedReal x, s;
 };
 
 // L, |N|^2 and their slopes at a point of the arc.
@@ -50,7 +50,7 @@ class CrossArc {
   [[nodiscard]] bool make(const CrossLine& line, const ArcEnd& a, const ArcEnd& b, const Lighting& lighting);
   // From N at A, at T and at B, and 2 kappa sA, 2 kappa (sA + sB): 1 and 2 where tau itself goes evenly from A to B.
   [[nodiscard]] bool make(const RealVector& na, const RealVector& nt, const RealVector& nb,
-                          const std::array<Real, 2>& places, const Lighting& lighting);
+                          const std::array<BoundedReal, 2>& places, const Lighting& lighting);
 
   [[nodiscard]] ArcLight at(std::uint32_t tau) const;
   [[nodiscard]] std::int32_t place(std::uint32_t tau) const;

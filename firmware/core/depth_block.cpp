@@ -22,8 +22,8 @@ int bits_of(std::int32_t length) { return static_cast<int>(std::bit_width(static
 
 }  // namespace
 
-Interval root_over(const DepthBlock& k, const BlockPart& p) {
-  Interval d{INT64_MAX, INT64_MIN};  // of the corners
+DepthRange root_over(const DepthBlock& k, const BlockPart& p) {
+  DepthRange d{INT64_MAX, INT64_MIN};  // of the corners
   for (const std::int32_t s : {p.s0, p.s1}) {
     const std::int64_t start = k.d + part(k.dy + k.dyy * s, s, k.y_bits);
     const std::int64_t slope = k.dx + k.dxy * s;
@@ -52,7 +52,7 @@ std::int64_t depth(const ActiveFace& face, std::int64_t n, int sign) {
 }
 
 // Of -b in units over the part, errors taken in.
-Interval numerator(const DepthBlock& k, const BlockPart& p) {
+DepthRange numerator(const DepthBlock& k, const BlockPart& p) {
   const std::int64_t start = k.b + k.bx * p.t0 + k.by * p.s0;
   const std::int64_t x = k.bx * (p.t1 - p.t0);
   const std::int64_t y = k.by * (p.s1 - p.s0);
@@ -62,10 +62,10 @@ Interval numerator(const DepthBlock& k, const BlockPart& p) {
 }
 
 // Of the depth in whole dots over a part of the face's block.
-Interval depth_on(const ActiveFace& face, const BlockPart& p) {
-  Interval n = numerator(face.block, p);
+DepthRange depth_on(const ActiveFace& face, const BlockPart& p) {
+  DepthRange n = numerator(face.block, p);
   if (face.kind == FaceKind::root) {
-    const Interval r = root_over(face.block, p);
+    const DepthRange r = root_over(face.block, p);
     n.low += face.sheet < 0 ? -r.high : r.low;
     n.high += face.sheet < 0 ? -r.low : r.high;
   }
@@ -130,7 +130,7 @@ class Maker {
     const int shift = f_.inverse_exponent - unit - depth_fraction;
     if (shift < 0 || f_.origin_z > most_dots || f_.origin_z < -most_dots) return;
     k_.shift = static_cast<std::int8_t>(std::min(shift, 63));
-    const Interval z = depth_on(f_, {0, w_, 0, h_});
+    const DepthRange z = depth_on(f_, {0, w_, 0, h_});
     if (z.low < -most_dots || z.high > most_dots) return;
     k_.low = static_cast<std::int32_t>(z.low);
     k_.high = static_cast<std::int32_t>(z.high);
@@ -146,19 +146,19 @@ class Maker {
 };
 
 // Of a face's root over the dots and lines of a proof, in the block's units.
-Interval root_on(const ActiveFace& face, const DepthProof& over) {
+DepthRange root_on(const ActiveFace& face, const DepthProof& over) {
   if (face.kind != FaceKind::root) return {0, 0};
   const DepthBlock& k = face.block;
   return root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
 }
 
-Interval operator-(const Interval& a, const Interval& b) { return {a.low - b.high, a.high - b.low}; }
+DepthRange operator-(const DepthRange& a, const DepthRange& b) { return {a.low - b.high, a.high - b.low}; }
 
 // Of f less g in 2^-16 dots.
-Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over, const Interval& f_root,
-                    const Interval& g_root) {
+DepthRange difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& over, const DepthRange& f_root,
+                      const DepthRange& g_root) {
   constexpr std::int64_t none = std::int64_t{1} << 62;
-  Interval linear{none, -none};
+  DepthRange linear{none, -none};
   const auto linear_at = [](const ActiveFace& face, std::int32_t x, std::int32_t y) {
     const DepthBlock& k = face.block;
     const std::int64_t b = k.b + k.bx * (x - k.x0) + k.by * (y - k.y0);
@@ -171,18 +171,18 @@ Interval difference(const ActiveFace& f, const ActiveFace& g, const DepthProof& 
       linear.high = std::max(linear.high, at);
     }
   }
-  const auto in_dots = [](const ActiveFace& face, const Interval& root) -> Interval {
+  const auto in_dots = [](const ActiveFace& face, const DepthRange& root) -> DepthRange {
     const std::int64_t low = root.low * face.inverse >> face.block.shift;
     const std::int64_t high = root.high * face.inverse >> face.block.shift;
-    return face.sheet < 0 ? Interval{-high, -low} : Interval{low, high};
+    return face.sheet < 0 ? DepthRange{-high, -low} : DepthRange{low, high};
   };
-  const Interval root = in_dots(f, f_root);
-  const Interval rival = in_dots(g, g_root);
+  const DepthRange root = in_dots(f, f_root);
+  const DepthRange rival = in_dots(g, g_root);
   const std::int64_t error = 2 * (f.block.error + g.block.error);
   return {linear.low + root.low - rival.high - error, linear.high + root.high - rival.low + error};
 }
 
-int sign_of(const Interval& v) { return v.high < 0 ? -1 : (v.low > 0 ? 1 : 0); }
+int sign_of(const DepthRange& v) { return v.high < 0 ? -1 : (v.low > 0 ? 1 : 0); }
 
 // DepthProof::nearer on all its dots.
 int nearer_on(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) {
@@ -193,14 +193,14 @@ int nearer_on(const ActiveFace& f, const ActiveFace& g, const DepthProof& over) 
 // With r = sqrt(D), r' = D' / 2 r, and D' is linear. docs/core.md, "Bound of a sample".
 constexpr std::int64_t steep = std::int64_t{1} << 61;
 
-Interval slope_on(const ActiveFace& face, const DepthProof& over, const Interval& root) {
+DepthRange slope_on(const ActiveFace& face, const DepthProof& over, const DepthRange& root) {
   constexpr std::int64_t most = std::int64_t{1} << 35;  // in 2^-x_bits units a dot
   constexpr int low_bits = 6;                           // of these, left out
   const DepthBlock& k = face.block;
   const int shift = k.shift + k.x_bits - low_bits;
   if (k.x_bits < low_bits) return {-steep, steep};
   const std::int64_t linear = -(k.bx * (std::int64_t{1} << k.x_bits) >> 16);
-  Interval n{linear - 2, linear};
+  DepthRange n{linear - 2, linear};
   if (face.kind == FaceKind::root) {
     const std::int64_t across_x = 2 * k.dxx * (over.x1 - over.x0);
     const std::int64_t across_y = k.dxy * (over.y1 - over.y0);
@@ -214,12 +214,12 @@ Interval slope_on(const ActiveFace& face, const DepthProof& over, const Interval
     };
     const std::int64_t falls = over_root(low, low < 0 ? root.low : root.high) - 1;
     const std::int64_t rises = over_root(high, high > 0 ? root.low : root.high) + 1;
-    n = face.sheet < 0 ? Interval{n.low - rises, n.high - falls} : Interval{n.low + falls, n.high + rises};
+    n = face.sheet < 0 ? DepthRange{n.low - rises, n.high - falls} : DepthRange{n.low + falls, n.high + rises};
   }
   const auto in_dots = [&](std::int64_t v) { return (v >> low_bits) * face.inverse >> std::min(shift, 63); };
   const std::int64_t error = (std::int64_t{face.inverse} >> std::min(shift, 63)) + 2;
   const auto error_of = [&](std::int64_t z) { return error + ((z < 0 ? -z : z) >> 29); };
-  Interval slope{-steep, steep};
+  DepthRange slope{-steep, steep};
   if (n.low > -most && n.low < most) slope.low = in_dots(n.low) - error_of(in_dots(n.low));
   if (n.high > -most && n.high < most) slope.high = in_dots(n.high) + error_of(in_dots(n.high));
   return slope;
@@ -232,8 +232,8 @@ void prove_by_columns(const ActiveFace& f, const ActiveFace& g, DepthProof& over
   int nearer = 0, turn = 0;
   while (column.x0 < over.x1) {
     column.x1 = static_cast<std::int16_t>(std::min<std::int32_t>(column.x0 + width, over.x1));
-    const Interval root = root_on(f, column);
-    const Interval rival = root_on(g, column);
+    const DepthRange root = root_on(f, column);
+    const DepthRange rival = root_on(g, column);
     const int here = sign_of(difference(f, g, column, root, rival));
     const int way = here != 0 ? turn : sign_of(slope_on(f, column, root) - slope_on(g, column, rival));
     if (here == 0 && (way == 0 || way == -turn)) {
@@ -348,7 +348,7 @@ void make_depth(ActiveFace& face) {
 DepthBounds depth_over(const ActiveFace& face, std::int32_t y0, std::int32_t y1, std::int32_t a, std::int32_t b) {
   const DepthBlock& k = face.block;
   if (k.error < 0) return {k.low, k.high};
-  const Interval z = depth_on(face, {a - k.x0, b - k.x0, y0 - k.y0, y1 - k.y0});
+  const DepthRange z = depth_on(face, {a - k.x0, b - k.x0, y0 - k.y0, y1 - k.y0});
   return {static_cast<std::int32_t>(std::max<std::int64_t>(z.low, k.low)),
           static_cast<std::int32_t>(std::min<std::int64_t>(z.high, k.high))};
 }

@@ -20,7 +20,7 @@ inline constexpr std::int64_t largest_depth = std::int64_t{1} << 45;  // 2^29 do
 // What blocks are made of, when a face enters: a plane's or root face's inverse (c2 > 0) and D.
 void make_depth(ActiveFace& face);
 
-struct Interval {
+struct DepthRange {
   std::int64_t low, high;
 };
 
@@ -30,7 +30,7 @@ struct BlockPart {
 };
 
 // Of the root of D in units over the part, errors taken in.
-[[nodiscard]] Interval root_over(const DepthBlock& block, const BlockPart& p);
+[[nodiscard]] DepthRange root_over(const DepthBlock& block, const BlockPart& p);
 
 // Where the face lies on dots a .. b of lines y0 .. y1, which its block holds.
 struct DepthBounds {

@@ -9,7 +9,7 @@ namespace {
 constexpr int normal_bits = 60;
 
 template <std::size_t Terms>
-using Polynomial = std::array<Real, Terms>;
+using Polynomial = std::array<BoundedReal, Terms>;
 
 template <std::size_t Terms>
 Polynomial<Terms> product(const RealVector& a, const RealVector& b) {
@@ -21,7 +21,7 @@ Polynomial<Terms> product(const RealVector& a, const RealVector& b) {
   }
 }
 template <std::size_t Terms>
-void add(Polynomial<Terms>& sum, const Real& factor, const Polynomial<Terms>& p) {
+void add(Polynomial<Terms>& sum, const BoundedReal& factor, const Polynomial<Terms>& p) {
   if (factor.is_zero()) return;
   for (std::size_t i = 0; i < Terms; ++i) sum[i] = sum[i] + factor * p[i];
 }
@@ -35,10 +35,10 @@ Polynomial<Terms> gradient(const FaceRows& f, std::size_t j) {
 }
 
 // What multiplies a gradient's component j in the normal's component i: gw(page) = gw(local) - o . g.
-Real normal_factor(const ActiveFace& face, const Lighting& lighting, std::size_t i, std::size_t j) {
+BoundedReal normal_factor(const ActiveFace& face, const Lighting& lighting, std::size_t i, std::size_t j) {
   const std::array<std::int64_t, 4> origin{face.origin_x, face.origin_y, face.origin_z, 0};
   const auto& row = lighting.matrix[i];
-  return Real(Wide<128>(row[j]) - Wide<128>(row[3]) * Wide<128>(origin[j]), 0);
+  return BoundedReal(Wide<128>(row[j]) - Wide<128>(row[3]) * Wide<128>(origin[j]), 0);
 }
 
 // Returns the largest error.
@@ -66,10 +66,10 @@ FaceRows::FaceRows(const ActiveFace& face, std::int32_t page_x, std::int32_t pag
   Wide<256> at[4];
   for (std::size_t j = 0; j < 4; ++j) {
     at[j] = wide(entry[j][1]).times(x) + wide(entry[j][2]).times(y) + wide(entry[j][0]);
-    row[j] = {Real(at[j], 0), Real(face.c[entry[j][1]], 0), Real(face.c[entry[j][2]], 0)};
-    slope[j] = Real(face.c[entry[j][3]], 0);
+    row[j] = {BoundedReal(at[j], 0), BoundedReal(face.c[entry[j][1]], 0), BoundedReal(face.c[entry[j][2]], 0)};
+    slope[j] = BoundedReal(face.c[entry[j][3]], 0);
   }
-  c = {Real(at[0].times(x) + at[1].times(y) + at[3], 0),
+  c = {BoundedReal(at[0].times(x) + at[1].times(y) + at[3], 0),
        row[0][0] + row[0][0],
        row[1][0] + row[1][0],
        row[0][1],
@@ -86,7 +86,7 @@ LitForms<Terms> lit_forms(const ActiveFace& face, const Lighting& lighting, std:
     for (std::size_t i = 0; i < 3; ++i) add<Terms>(out.normal[i], normal_factor(face, lighting, i, j), g);
   }
   for (int i = 0; i < 3; ++i) {
-    add<Terms>(out.light, Real(std::int64_t{lighting.light[i]} * face.light_sign), out.normal[i]);
+    add<Terms>(out.light, BoundedReal(std::int64_t{lighting.light[i]} * face.light_sign), out.normal[i]);
   }
   return out;
 }
@@ -97,14 +97,15 @@ DepthLight light_by_depth(const FaceRows& rows, const ActiveFace& face, const Li
   DepthLight out;
   for (std::size_t i = 0; i < 3; ++i) {
     Polynomial<3> normal{};
-    Real slope;
+    BoundedReal slope;
     for (std::size_t j = 0; j < 4; ++j) {
-      const Real factor = normal_factor(face, lighting, i, j);
+      const BoundedReal factor = normal_factor(face, lighting, i, j);
       if (factor.is_zero()) continue;
       add<3>(normal, factor, rows.row[j]);
       slope = slope + factor * rows.slope[j];
     }
-    const Real light(std::int64_t{lighting.light[i]} * (rows.slope[2].sign() < 0 ? -face.light_sign : face.light_sign));
+    const BoundedReal light(std::int64_t{lighting.light[i]} *
+                            (rows.slope[2].sign() < 0 ? -face.light_sign : face.light_sign));
     add<3>(out.l, light, normal);
     out.m = out.m + light * slope;
     add<6>(out.q, 1, product<6>(normal, normal));
@@ -114,10 +115,10 @@ DepthLight light_by_depth(const FaceRows& rows, const ActiveFace& face, const Li
   return out;
 }
 
-Real size_of(const std::array<Real, 6>& p, std::int32_t dots, std::int32_t lines) {
+BoundedReal size_of(const std::array<BoundedReal, 6>& p, std::int32_t dots, std::int32_t lines) {
   const auto size = [&p](std::size_t i) { return p[i].sign() < 0 ? -p[i] : p[i]; };
-  return size(0) + Real(dots) * (size(1) + Real(dots) * size(3) + Real(lines) * size(4)) +
-         Real(lines) * (size(2) + Real(lines) * size(5));
+  return size(0) + BoundedReal(dots) * (size(1) + BoundedReal(dots) * size(3) + BoundedReal(lines) * size(4)) +
+         BoundedReal(lines) * (size(2) + BoundedReal(lines) * size(5));
 }
 
 int quotient_sign(const ActiveFace& face, std::int32_t x, std::int32_t y) {

@@ -23,8 +23,8 @@ namespace halfspace {
 // x^2, xy, y^2. Row 2 is b.
 struct FaceRows {
   std::array<RealVector, 4> row;
-  std::array<Real, 4> slope;
-  std::array<Real, 6> c;
+  std::array<BoundedReal, 4> slope;
+  std::array<BoundedReal, 6> c;
 
   FaceRows(const ActiveFace& face, std::int32_t page_x, std::int32_t page_y);
 };
@@ -33,20 +33,20 @@ struct FaceRows {
 template <std::size_t Terms>
 struct LitForms {
   static_assert(Terms == 1 || Terms == 6);
-  std::array<std::array<Real, Terms>, 3> normal{};
-  std::array<Real, Terms> light{};
+  std::array<std::array<BoundedReal, Terms>, 3> normal{};
+  std::array<BoundedReal, Terms> light{};
 };
 
 // By z: |N|^2 = q + r z + square z^2, L = l + m z, with the sign of z^2's factor; about the dot of its rows.
 struct DepthLight {
-  std::array<Real, 6> q;
+  std::array<BoundedReal, 6> q;
   RealVector r, l;
-  Real square, m;
+  BoundedReal square, m;
 };
 [[nodiscard]] DepthLight light_by_depth(const FaceRows& rows, const ActiveFace& face, const Lighting& lighting);
 
 // The sum of a polynomial's terms' sizes up to so many dots and lines away.
-[[nodiscard]] Real size_of(const std::array<Real, 6>& p, std::int32_t dots, std::int32_t lines);
+[[nodiscard]] BoundedReal size_of(const std::array<BoundedReal, 6>& p, std::int32_t dots, std::int32_t lines);
 
 // About page dot (x, y); to be multiplied by quotient_sign().
 template <std::size_t Terms>

@@ -101,17 +101,19 @@ RadicalPlane radical_plane(const ActiveFace& face, const ActiveFace& rival, cons
   const std::int32_t dy = face.origin_y - rival.origin_y;
   if (d.exponent != 0 || e.exponent != 0 || std::max(std::abs(dx), std::abs(dy)) >> frame_bits != 0 || k.is_zero())
     return none;
-  const Real a(face.c[2], 0);
-  const Real b(rival.c[2], 0);
-  const Real constant(k, 0);
-  const Real a2 = a * a;
-  const Real b2 = b * b;
-  const Real scale = Real(1).half() / (constant * b);
-  const Real x = (Real(e.q[0].times(2 * dx) + e.q[1].times(dy) + e.q[3], 0) * a2 - Real(d.q[3], 0) * b2) * scale;
-  const Real y = (Real(e.q[2].times(2 * dy) + e.q[1].times(dx) + e.q[4], 0) * a2 - Real(d.q[4], 0) * b2) * scale;
-  const Real c = (Real(e.at(dx, dy), 0) * a2 - Real(d.q[5], 0) * b2 - constant * constant) * scale;
+  const BoundedReal a(face.c[2], 0);
+  const BoundedReal b(rival.c[2], 0);
+  const BoundedReal constant(k, 0);
+  const BoundedReal a2 = a * a;
+  const BoundedReal b2 = b * b;
+  const BoundedReal scale = BoundedReal(1).half() / (constant * b);
+  const BoundedReal x =
+      (BoundedReal(e.q[0].times(2 * dx) + e.q[1].times(dy) + e.q[3], 0) * a2 - BoundedReal(d.q[3], 0) * b2) * scale;
+  const BoundedReal y =
+      (BoundedReal(e.q[2].times(2 * dy) + e.q[1].times(dx) + e.q[4], 0) * a2 - BoundedReal(d.q[4], 0) * b2) * scale;
+  const BoundedReal c = (BoundedReal(e.at(dx, dy), 0) * a2 - BoundedReal(d.q[5], 0) * b2 - constant * constant) * scale;
   const int fraction = value_bits - 1 - std::max({c.bits(), x.bits() + frame_bits, y.bits() + frame_bits});
-  const auto is_known = [&](const Real& value) { return value.error_of(fraction) <= 2; };
+  const auto is_known = [&](const BoundedReal& value) { return value.error_of(fraction) <= 2; };
   if (fraction <= RadicalPlane::missing || fraction > INT16_MAX || !is_known(x) || !is_known(y) || !is_known(c))
     return none;
   return {c.fixed(fraction), x.fixed(fraction), y.fixed(fraction), static_cast<std::int16_t>(fraction)};
@@ -124,7 +126,7 @@ int nearer_by_plane(const ActiveFace& inner, const DepthProof& over) {
   const std::int64_t corners[4] = {first.plane(over.x0), first.plane(over.x1), last.plane(over.x0),
                                    last.plane(over.x1)};
   const DepthBlock& k = inner.block;
-  const Interval r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
+  const DepthRange r = root_over(k, {over.x0 - k.x0, over.x1 - k.x0, over.y0 - k.y0, over.y1 - k.y0});
   const std::int64_t error = std::max(first.error(), last.error());
   if (r.low > *std::max_element(corners, corners + 4) + error) return 1;
   return r.high < *std::min_element(corners, corners + 4) - error ? -1 : 0;

@@ -1,6 +1,6 @@
 // The filter before exact arithmetic: L >= t |N| at one dot in 62-bit mantissas.
 // Exact   A rounded coefficient of RootSurface is off by less than 1 unit, a value by less than quadratic_error_bits or
-//         linear_error_bits tell (root_surface.hpp); Real carries these errors and its own. What is left to exact arithmetic
+//         linear_error_bits tell (root_surface.hpp); BoundedReal carries these errors and its own. What is left to exact arithmetic
 //         comes within about 2^-50 of a tie.
 // Cost    On a Cortex-M3 some 4,000 instructions, where exact arithmetic takes 12,000 to 100,000.
 
@@ -14,7 +14,7 @@ namespace halfspace {
 namespace {
 
 struct LitDot {
-  Real light, square;  // L and |N|^2
+  BoundedReal light, square;  // L and |N|^2
 };
 
 // The error of a form, in its own units.
@@ -25,11 +25,12 @@ LitDot root_dot(const RootSurface& s, std::int32_t x, std::int32_t y) {
   const int light = s.light.exponent;
   const int square = s.square.exponent;
   const int of_root = s.square_root.exponent;
-  const Real root = Real(s.discriminant.at(x, y), 2 * half, rounding(half > 0, quadratic_error_bits)).root();
-  return {Real(s.light.at(x, y), light, rounding(light > 0, linear_error_bits)) +
-              Real(s.light_root, light - half, rounding(light > half, 0)) * root,
-          Real(s.square.at(x, y), square, rounding(square > 0, quadratic_error_bits)) +
-              Real(s.square_root.at(x, y), of_root - half, rounding(of_root > half, linear_error_bits)) * root};
+  const BoundedReal root =
+      BoundedReal(s.discriminant.at(x, y), 2 * half, rounding(half > 0, quadratic_error_bits)).root();
+  return {BoundedReal(s.light.at(x, y), light, rounding(light > 0, linear_error_bits)) +
+              BoundedReal(s.light_root, light - half, rounding(light > half, 0)) * root,
+          BoundedReal(s.square.at(x, y), square, rounding(square > 0, quadratic_error_bits)) +
+              BoundedReal(s.square_root.at(x, y), of_root - half, rounding(of_root > half, linear_error_bits)) * root};
 }
 
 LitDot quotient_dot(const ShadeJob& job, std::int32_t x, std::int32_t y) {
@@ -55,8 +56,8 @@ int sign_of_level(const ShadeJob& job, const LitDot& dot, std::int32_t k) {
       static_cast<std::int64_t>(k) * g.unit - static_cast<std::int64_t>(job.table.levels - 1) * g.ambient;
   std::int64_t l2 = 0;
   for (const std::int32_t l : g.light) l2 += static_cast<std::int64_t>(l) * l;
-  const Real left = Real(scale * scale) * dot.light * dot.light;
-  const Real right = Real(threshold * threshold) * Real(l2) * dot.square;
+  const BoundedReal left = BoundedReal(scale * scale) * dot.light * dot.light;
+  const BoundedReal right = BoundedReal(threshold * threshold) * BoundedReal(l2) * dot.square;
   return (left - right).sign();
 }
 

@@ -44,14 +44,14 @@ constexpr std::uint64_t quotient(std::uint64_t a, std::uint64_t b) {
   }
 }
 
-class Real {
+class BoundedReal {
  public:
-  constexpr Real() = default;
-  constexpr Real(std::int64_t value)  // NOLINT(google-explicit-constructor): exact below 2^62
-      : Real(normalised(value, 0, 0)) {}
+  constexpr BoundedReal() = default;
+  constexpr BoundedReal(std::int64_t value)  // NOLINT(google-explicit-constructor): exact below 2^62
+      : BoundedReal(normalised(value, 0, 0)) {}
   // value 2^exponent, the value known to within `error`.
   template <int Bits>
-  constexpr Real(const Wide<Bits>& value, int exponent, std::int64_t error = 0) {
+  constexpr BoundedReal(const Wide<Bits>& value, int exponent, std::int64_t error = 0) {
     const int shift = std::max(0, value.bit_length() - 61);
     const std::int64_t lost = shift > 0 ? 1 : 0;
     *this = normalised(scaled(value, shift), (error >> std::min(shift, 63)) + 2 * lost, exponent + shift);
@@ -62,34 +62,34 @@ class Real {
   // Exactly: it has no exponent to align to.
   [[nodiscard]] constexpr bool is_zero() const { return m_ == 0 && error_ == 0; }
   // Widened by as much as `other` can be, times 2^bits.
-  [[nodiscard]] constexpr Real blurred(const Real& other, int bits) const {
+  [[nodiscard]] constexpr BoundedReal blurred(const BoundedReal& other, int bits) const {
     return other.is_zero() ? *this : *this + normalised(0, 1, other.bits() + bits);
   }
-  [[nodiscard]] constexpr Real half() const { return Real(m_, error_, e_ - 1); }
-  constexpr Real operator-() const { return Real(-m_, error_, e_); }
+  [[nodiscard]] constexpr BoundedReal half() const { return BoundedReal(m_, error_, e_ - 1); }
+  constexpr BoundedReal operator-() const { return BoundedReal(-m_, error_, e_); }
 
-  friend constexpr Real operator+(const Real& a, const Real& b) {
+  friend constexpr BoundedReal operator+(const BoundedReal& a, const BoundedReal& b) {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
     const bool swap = a.e_ < b.e_;
-    const Real& high = swap ? b : a;
-    const Real& low = swap ? a : b;
+    const BoundedReal& high = swap ? b : a;
+    const BoundedReal& low = swap ? a : b;
     const int shift = high.e_ - low.e_;
     const std::int64_t m = low.m_ >> std::min(shift, 63);
     const std::int64_t lost = shift > 0 ? 2 : 0;  // of m, and of the error
     return normalised(high.m_ + m, high.error_ + (low.error_ >> std::min(shift, 63)) + lost, high.e_);
   }
-  friend constexpr Real operator-(const Real& a, const Real& b) { return a + -b; }
+  friend constexpr BoundedReal operator-(const BoundedReal& a, const BoundedReal& b) { return a + -b; }
 
   // The product's error in units of 2^62 is |m_a| error_b + |m_b| error_a + error_a error_b, under error_a + error_b + 1.
-  friend constexpr Real operator*(const Real& a, const Real& b) {
+  friend constexpr BoundedReal operator*(const BoundedReal& a, const BoundedReal& b) {
     if (a.is_zero() || b.is_zero()) return {};
     const auto product = static_cast<std::int64_t>(high_product(magnitude(a.m_) << 1, magnitude(b.m_) << 1));
     return normalised((a.m_ < 0) != (b.m_ < 0) ? -product : product, a.error_ + b.error_ + 2, a.e_ + b.e_ + 62);
   }
 
   // With |m_b| >= 2^61 the quotient is below 2, so it is off by less than (error_a + 2 error_b) 2^60 / (2^61 - 2^32) + 1.
-  friend constexpr Real operator/(const Real& a, const Real& b) {
+  friend constexpr BoundedReal operator/(const BoundedReal& a, const BoundedReal& b) {
     const std::uint64_t divisor = magnitude(b.m_);
     if (divisor >> 61 == 0) return unknown();
     if (a.is_zero()) return {};
@@ -99,8 +99,8 @@ class Real {
 
   // v = m 2^0 or 2^1 below 2^62; with r = floor(sqrt(v)) >= 2^30 and rest = v - r^2 <= 2 r the root of v 2^62 is
   // r 2^31 + rest 2^30 / r, less at most (2^31)^2 / 2^62 = 1. The error of v counts 2^62 / (2 sqrt(v) 2^31) <= 1 times.
-  [[nodiscard]] constexpr Real root() const {
-    if (m_ >> 60 == 0 || m_ < 0) return is_zero() ? Real() : unknown();
+  [[nodiscard]] constexpr BoundedReal root() const {
+    if (m_ >> 60 == 0 || m_ < 0) return is_zero() ? BoundedReal() : unknown();
     const bool odd = (e_ & 1) != 0;
     const std::int64_t v = odd ? m_ >> 1 : m_;
     const std::int64_t r = isqrt(static_cast<std::uint64_t>(v));
@@ -124,21 +124,21 @@ class Real {
   }
 
  private:
-  constexpr Real(std::int64_t m, std::int64_t error, int e) : m_(m), error_(error), e_(e) {}
-  static constexpr Real unknown() { return Real(0, most_error, 1 << 20); }
+  constexpr BoundedReal(std::int64_t m, std::int64_t error, int e) : m_(m), error_(error), e_(e) {}
+  static constexpr BoundedReal unknown() { return BoundedReal(0, most_error, 1 << 20); }
   static constexpr std::uint64_t magnitude(std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); }
   static constexpr std::int64_t shifted_up(std::int64_t error, int shift) {
     return error == 0 ? 0 : (shift > 30 ? most_error << 29 : std::min(error, most_error) << shift);
   }
   // To 62 bits, as far as the error stays below 2^32. |m| < 2^63, error < 2^62.
-  static constexpr Real normalised(std::int64_t m, std::int64_t error, int e) {
+  static constexpr BoundedReal normalised(std::int64_t m, std::int64_t error, int e) {
     const int m_bits = static_cast<int>(std::bit_width(magnitude(m)));
     const int error_bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(error)));
     if (m == 0 && error == 0) return {};
     const int down = std::max({0, m_bits - 62, error_bits - 31});
-    if (down > 0) return Real(m >> down, (error >> down) + 2, e + down);
+    if (down > 0) return BoundedReal(m >> down, (error >> down) + 2, e + down);
     const int up = error == 0 ? 62 - m_bits : std::min(62 - m_bits, std::max(0, 31 - error_bits));
-    return Real(m * (std::int64_t{1} << up), error << up, e - up);
+    return BoundedReal(m * (std::int64_t{1} << up), error << up, e - up);
   }
   static constexpr std::int64_t most_error = std::int64_t{1} << 31;
 

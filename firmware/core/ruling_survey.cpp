@@ -20,13 +20,13 @@ constexpr int most_coefficient_bits = 80;
 
 // A face's coefficients about a point of the page, as in face.hpp.
 struct Quadric {
-  std::array<Real, 10> c;
-  std::array<Real, 3> point;
+  std::array<BoundedReal, 10> c;
+  std::array<BoundedReal, 3> point;
 };
 
 Quadric about_origin(const ActiveFace& face) {
   Quadric q;
-  for (std::size_t i = 0; i < 10; ++i) q.c[i] = Real(face.c[i], 0);
+  for (std::size_t i = 0; i < 10; ++i) q.c[i] = BoundedReal(face.c[i], 0);
   return q;
 }
 // About page dot (x, y), at the whole depth nearest to the middle of the two sheets: there D, of two squares, cancels to those of less
@@ -36,34 +36,34 @@ Quadric about_dot(const ActiveFace& face, std::int32_t page_x, std::int32_t page
   const std::int32_t y = page_y - face.origin_y;
   const auto& f = face.c;
   const Wide<128> b = f[5].times(x) + f[4].times(y) + f[8];
-  const Real middle = -Real(b, 0) / Real(f[2], 0);
+  const BoundedReal middle = -BoundedReal(b, 0) / BoundedReal(f[2], 0);
   const std::int32_t z = middle.bits() < coordinate_bits ? static_cast<std::int32_t>(middle.fixed(0)) : 0;
   const Wide<128> w[3] = {f[0].times(x) + f[3].times(y) + f[5].times(z) + f[6],
                           f[3].times(x) + f[1].times(y) + f[4].times(z) + f[7], b + f[2].times(z)};
   Quadric q = about_origin(face);
-  q.c[9] = Real((w[0] + f[6]).times(x) + (w[1] + f[7]).times(y) + (w[2] + f[8]).times(z) + f[9], 0);
-  for (std::size_t i = 0; i < 3; ++i) q.c[6 + i] = Real(w[i], 0);
-  q.point = {Real(page_x), Real(page_y), Real(Wide<128>(face.origin_z) + Wide<128>(z), 0)};
+  q.c[9] = BoundedReal((w[0] + f[6]).times(x) + (w[1] + f[7]).times(y) + (w[2] + f[8]).times(z) + f[9], 0);
+  for (std::size_t i = 0; i < 3; ++i) q.c[6 + i] = BoundedReal(w[i], 0);
+  q.point = {BoundedReal(page_x), BoundedReal(page_y), BoundedReal(Wide<128>(face.origin_z) + Wide<128>(z), 0)};
   return q;
 }
 
 // A form about a dot: at + x X + y Y + xx X^2 + xy X Y + yy Y^2.
 struct Form {
-  Real at, x, y, xx, xy, yy;
+  BoundedReal at, x, y, xx, xy, yy;
 
   // Its determinant, four times: the form's value at the centre times spread().
-  [[nodiscard]] std::array<Real, 5> determinant() const {
-    return {Real(4) * xx * yy * at, xy * x * y, -xx * y * y, -yy * x * x, -at * xy * xy};
+  [[nodiscard]] std::array<BoundedReal, 5> determinant() const {
+    return {BoundedReal(4) * xx * yy * at, xy * x * y, -xx * y * y, -yy * x * x, -at * xy * xy};
   }
-  [[nodiscard]] Real spread() const { return Real(4) * xx * yy - xy * xy; }
+  [[nodiscard]] BoundedReal spread() const { return BoundedReal(4) * xx * yy - xy * xy; }
   // Times it: where the gradient is 0, the centre.
-  [[nodiscard]] Real centre_x() const { return xy * y - (yy + yy) * x; }
-  [[nodiscard]] Real centre_y() const { return xy * x - (xx + xx) * y; }
+  [[nodiscard]] BoundedReal centre_x() const { return xy * y - (yy + yy) * x; }
+  [[nodiscard]] BoundedReal centre_y() const { return xy * x - (xx + xx) * y; }
 };
 
 Form discriminant_of(const Quadric& q) {
   const auto minor = [&q](std::size_t i, std::size_t j, std::size_t k) { return q.c[i] * q.c[j] - q.c[2] * q.c[k]; };
-  const auto twice = [](const Real& r) { return r + r; };
+  const auto twice = [](const BoundedReal& r) { return r + r; };
   return {minor(8, 8, 9), twice(minor(5, 8, 6)), twice(minor(4, 8, 7)),
           minor(5, 5, 0), twice(minor(5, 4, 3)), minor(4, 4, 1)};
 }
@@ -72,15 +72,15 @@ Form discriminant_of(const Quadric& q) {
 
 // Through the ruling at dot X of the line: X + (slope + spread X) lines.
 struct Pencil {
-  Real slope, spread;
-  Real drift;  // spread times D where rulings meet, which is 0 on a cone
+  BoundedReal slope, spread;
+  BoundedReal drift;  // spread times D where rulings meet, which is 0 on a cone
 };
 
 Pencil parallels(const Form& d) { return {-d.xy / (d.xx + d.xx), {}, {}}; }
 // Of a face without z^2. Its apex is where rows 0 to 2 vanish, so b and what rows 0 and 1 have beside z; all along a cylinder's axis b keeps its
 // value, and the other has none.
 struct QuotientCentre {
-  Real w, x, y;  // of the apex's image
+  BoundedReal w, x, y;  // of the apex's image
   bool is_parallel;
 
   explicit QuotientCentre(const FaceRows& f) {
@@ -88,8 +88,8 @@ struct QuotientCentre {
     int most = std::numeric_limits<int>::min();
     int left = most;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Real of_x = f.slope[1] * f.row[0][k];
-      const Real of_y = f.slope[0] * f.row[1][k];
+      const BoundedReal of_x = f.slope[1] * f.row[0][k];
+      const BoundedReal of_y = f.slope[0] * f.row[1][k];
       flat[k] = of_x - of_y;
       if (!of_x.is_zero()) most = std::max(most, of_x.bits());
       if (!of_y.is_zero()) most = std::max(most, of_y.bits());
@@ -110,23 +110,23 @@ struct QuotientCentre {
 
 // Through the centre of D = 0, the apex's image.
 Pencil through_centre(const Form& d) {
-  const Real spread = d.spread();
-  const Real x = d.centre_x();
-  const Real y = d.centre_y();
+  const BoundedReal spread = d.spread();
+  const BoundedReal x = d.centre_x();
+  const BoundedReal y = d.centre_y();
   return {x / y, -spread / y, (spread * d.at + (d.x * x + d.y * y).half()) / y};
 }
 
 // The dot of x0 .. x1 nearest to where D is greatest or least on the line: on either side of an apex, about which D cancels least.
 std::int32_t middle_of(const ActiveFace& face, std::int32_t y, std::int32_t x0, std::int32_t x1) {
   const auto& d = face.surface.discriminant.q;
-  const Real x = -Real(d[1].times(y - face.origin_y) + d[3], 0) / Real(d[0] + d[0], 0);
+  const BoundedReal x = -BoundedReal(d[1].times(y - face.origin_y) + d[3], 0) / BoundedReal(d[0] + d[0], 0);
   if (x.bits() > coordinate_bits) return x0 + (x1 - x0) / 2;
   return std::clamp(static_cast<std::int32_t>(x.fixed(0)) + face.origin_x, x0, x1);
 }
 
 // To within what a cone, whose apex lies so far off, has in common with a cylinder.
 bool is_parallel(const Form& d) {
-  const Real spread = d.spread();
+  const BoundedReal spread = d.spread();
   return spread.sign() == 0 || spread.bits() <= std::max((d.xy * d.xy).bits(), (d.xx * d.yy).bits()) - 24;
 }
 
@@ -143,9 +143,9 @@ int line_bits_of(const Pencil& p) {
 // lines (linear + bend x) + lines^2 square
 void hold_along_parallels(Form& d, const Pencil& p) {
   const int lines = line_bits_of(p);
-  const Real linear = d.x * p.slope + d.y;
-  const Real bend = (d.xx + d.xx) * p.slope + d.xy;
-  const Real square = (d.xx * p.slope + d.xy) * p.slope + d.yy;
+  const BoundedReal linear = d.x * p.slope + d.y;
+  const BoundedReal bend = (d.xx + d.xx) * p.slope + d.xy;
+  const BoundedReal square = (d.xx * p.slope + d.xy) * p.slope + d.yy;
   d.at = d.at.blurred(linear, lines).blurred(square, 2 * lines);
   d.x = d.x.blurred(bend, lines);
 }
@@ -165,10 +165,10 @@ void add_normals(CrossLine& line, const ShadeJob& job, const Quadric& q, const F
   const bool reversed = job.face.light_sign < 0;
   const bool root_reversed = (job.face.sheet < 0) != reversed;
   for (std::size_t i = 0; i < 3; ++i) {
-    std::array<Real, 4> m;
+    std::array<BoundedReal, 4> m;
     for (std::size_t j = 0; j < 4; ++j) {
-      m[j] = Real(g.matrix[i][j]);
-      if (j < 3) m[j] = m[j] - Real(g.matrix[i][3]) * q.point[j];
+      m[j] = BoundedReal(g.matrix[i][j]);
+      if (j < 3) m[j] = m[j] - BoundedReal(g.matrix[i][3]) * q.point[j];
     }
     Form n{(m[0] * d.x + m[1] * d.y).half() + m[3] * d.at,
            m[0] * d.xx + (m[1] * d.xy + m[3] * d.x).half(),
@@ -177,7 +177,7 @@ void add_normals(CrossLine& line, const ShadeJob& job, const Quadric& q, const F
            {},
            {}};
     hold_on_all_lines(n, pencil);
-    Real root;
+    BoundedReal root;
     for (std::size_t j = 0; j < 4; ++j) root = root + m[j] * q.c[depth[j]];
     line.normal[i] = reversed ? n.at : -n.at;
     line.normal_step[i] = reversed ? n.x : -n.x;
@@ -186,12 +186,12 @@ void add_normals(CrossLine& line, const ShadeJob& job, const Quadric& q, const F
 }
 
 // The same of a form of second degree, which grows as (1 + g)^2.
-void hold_square_on_all_lines(std::array<Real, 6>& n, const Pencil& p) {
+void hold_square_on_all_lines(std::array<BoundedReal, 6>& n, const Pencil& p) {
   const int lines = line_bits_of(p);
   const int growth = p.spread.is_zero() ? 0 : 4;
-  const Real square = p.spread * p.spread;
-  const Real bend = n[3] + n[3];
-  const Real turn = bend * p.slope + n[4];
+  const BoundedReal square = p.spread * p.spread;
+  const BoundedReal bend = n[3] + n[3];
+  const BoundedReal turn = bend * p.slope + n[4];
   n[0] = n[0].blurred(n[1] * p.slope + n[2] - (n[0] + n[0]) * p.spread, lines + growth)
              .blurred((n[3] * p.slope + n[4]) * p.slope + n[5] - n[0] * square, 2 * lines + growth);
   n[1] =
@@ -203,21 +203,21 @@ void hold_square_on_all_lines(std::array<Real, 6>& n, const Pencil& p) {
 bool ends_of_face(const CrossLine& line, std::int32_t left, std::int32_t right, ArcEnd& a, ArcEnd& b) {
   constexpr std::int32_t far = 4096;
   const auto dot = [&line](std::int32_t x) {
-    return ArcEnd{Real(x), (line.d2 + (line.d1 + line.d0 * Real(x)) * Real(x)).root()};
+    return ArcEnd{BoundedReal(x), (line.d2 + (line.d1 + line.d0 * BoundedReal(x)) * BoundedReal(x)).root()};
   };
-  const auto limb_left = [&](const Real& x) {
-    a = (Real(std::max(left, far)) + x).sign() < 0 ? dot(-left) : ArcEnd{x, {}};
+  const auto limb_left = [&](const BoundedReal& x) {
+    a = (BoundedReal(std::max(left, far)) + x).sign() < 0 ? dot(-left) : ArcEnd{x, {}};
   };
-  const auto limb_right = [&](const Real& x) {
-    b = (x - Real(std::max(right, far))).sign() > 0 ? dot(right) : ArcEnd{x, {}};
+  const auto limb_right = [&](const BoundedReal& x) {
+    b = (x - BoundedReal(std::max(right, far))).sign() > 0 ? dot(right) : ArcEnd{x, {}};
   };
-  const Real discriminant = line.d1 * line.d1 - Real(4) * line.d0 * line.d2;
+  const BoundedReal discriminant = line.d1 * line.d1 - BoundedReal(4) * line.d0 * line.d2;
   const int bend = line.d0.sign();
   if (discriminant.sign() > 0 && bend != 0) {
-    const Real root = discriminant.root();
-    const Real two = line.d0 + line.d0;
-    const Real low = (bend < 0 ? root - line.d1 : -root - line.d1) / two;
-    const Real high = (bend < 0 ? -root - line.d1 : root - line.d1) / two;
+    const BoundedReal root = discriminant.root();
+    const BoundedReal two = line.d0 + line.d0;
+    const BoundedReal low = (bend < 0 ? root - line.d1 : -root - line.d1) / two;
+    const BoundedReal high = (bend < 0 ? -root - line.d1 : root - line.d1) / two;
     if (bend < 0) {
       limb_left(low);
       limb_right(high);
@@ -237,14 +237,14 @@ bool ends_of_face(const CrossLine& line, std::int32_t left, std::int32_t right, 
 
 // xA, xB - xA and their slopes; the ends are counted from page dot x. False where a slope is too steep.
 bool aim(const Pencil& pencil, std::int32_t x, const ArcEnd& a, const ArcEnd& b, StraightContours& out) {
-  const Real width = b.x - a.x;
-  const Real left = Real(x) + a.x;
-  const Real slope = pencil.slope + pencil.spread * a.x;
-  const Real width_slope = width * pencil.spread;
+  const BoundedReal width = b.x - a.x;
+  const BoundedReal left = BoundedReal(x) + a.x;
+  const BoundedReal slope = pencil.slope + pencil.spread * a.x;
+  const BoundedReal width_slope = width * pencil.spread;
   constexpr int steepest = 12;  // bits
   if (slope.bits() > steepest || width_slope.bits() > steepest || left.bits() > 17 || width.bits() > 15) return false;
   // Over all lines less than 1/8 of a place each.
-  const auto put = [](std::int64_t& to, const Real& value, int bits) {
+  const auto put = [](std::int64_t& to, const BoundedReal& value, int bits) {
     to = value.fixed(line_bits);
     return value.error_of(line_bits) <= std::int64_t{1} << bits;
   };
@@ -258,7 +258,7 @@ class Survey {
  public:
   Survey(const ShadeJob& job, const CrossArc& arc) : job_(job), arc_(arc), block_(job.contours->block) {
     const Lighting& g = job.lighting;
-    per_threshold_ = Real(1) / Real(static_cast<std::int64_t>(job.table.levels - 1) * g.parallel);
+    per_threshold_ = BoundedReal(1) / BoundedReal(static_cast<std::int64_t>(job.table.levels - 1) * g.parallel);
     const int root_bits = (static_cast<int>(std::bit_width(static_cast<std::uint64_t>(arc.unsure()))) + 1) / 2;
     narrow_ = 1U << std::clamp(narrow_bits(job.contours->straight) - arc.steepness_bits(), 1, 14);
     rim_ = 1U << std::max(8, root_bits + 5);
@@ -332,9 +332,9 @@ class Survey {
 
   [[nodiscard]] LevelBar bar(std::int32_t k) const {
     const Lighting& g = job_.lighting;
-    const Real t =
-        Real(static_cast<std::int64_t>(k) * g.unit - static_cast<std::int64_t>(job_.table.levels - 1) * g.ambient) *
-        per_threshold_;
+    const BoundedReal t = BoundedReal(static_cast<std::int64_t>(k) * g.unit -
+                                      static_cast<std::int64_t>(job_.table.levels - 1) * g.ambient) *
+                          per_threshold_;
     const auto fraction = static_cast<std::uint64_t>(t.fixed(60)) << 2;
     return {static_cast<std::int64_t>(high_product(fraction, fraction)), static_cast<std::int32_t>(fraction >> 32)};
   }
@@ -465,7 +465,7 @@ class Survey {
   const ShadeJob& job_;
   const CrossArc& arc_;
   std::span<std::uint32_t> block_;
-  Real per_threshold_;
+  BoundedReal per_threshold_;
   std::uint32_t at_ = 0, before_ = 0;
   std::array<std::uint32_t, 3> crossed_{};  // of this climb, the latest first
   int crossings_ = 0;
@@ -508,10 +508,10 @@ bool make_quotient_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std
   const FaceRows rows(job.face, x, y);
   const RealVector& depth = rows.row[2];
   const Pencil pencil = QuotientCentre(rows).pencil(depth);
-  ArcEnd a{Real(-(3 * (x - x0) + 64)), {}};
-  ArcEnd b{Real(3 * (x1 - x) + 64), {}};
+  ArcEnd a{BoundedReal(-(3 * (x - x0) + 64)), {}};
+  ArcEnd b{BoundedReal(3 * (x1 - x) + 64), {}};
   if (const int rise = depth[1].sign() * depth[0].sign(); rise != 0) {
-    const Real limb = -depth[0] / depth[1];
+    const BoundedReal limb = -depth[0] / depth[1];
     if (rise > 0 && (limb - a.x).sign() > 0) a.x = limb;
     if (rise < 0 && (b.x - limb).sign() > 0) b.x = limb;
   }
@@ -532,7 +532,8 @@ bool make_quotient_arc(const ShadeJob& job, std::int32_t y, std::int32_t x0, std
       nb[i] = -nb[i];
     }
   }
-  return aim(pencil, x, a, b, job.contours->straight) && arc.make(na, nt, nb, {Real(1), Real(2)}, job.lighting);
+  return aim(pencil, x, a, b, job.contours->straight) &&
+         arc.make(na, nt, nb, {BoundedReal(1), BoundedReal(2)}, job.lighting);
 }
 
 }  // namespace
@@ -554,14 +555,14 @@ bool survey_rulings(const ShadeJob& job, std::int32_t y, std::int32_t x0, std::i
 // What D's determinant is above 0 for, such as a cylinder written in decimals, becomes an error of the survey's forms; so does, of a face
 // without z^2, what is left of row 3 at the centre.
 bool has_straight_contours(const ActiveFace& face) {
-  Real sum;
+  BoundedReal sum;
   int most = std::numeric_limits<int>::min();
-  const auto add = [&](const Real& term) {
+  const auto add = [&](const BoundedReal& term) {
     sum = sum + term;
     if (!term.is_zero()) most = std::max(most, term.bits());
   };
   if (face.kind == FaceKind::root) {
-    for (const Real& term : discriminant_of(about_origin(face)).determinant()) add(term);
+    for (const BoundedReal& term : discriminant_of(about_origin(face)).determinant()) add(term);
   } else {
     const FaceRows rows(face, face.origin_x, face.origin_y);
     const QuotientCentre centre(rows);
@@ -569,10 +570,10 @@ bool has_straight_contours(const ActiveFace& face) {
     // z of the centre times slope: that of the row in which it is larger.
     const std::size_t by = rows.slope[0].bits() >= rows.slope[1].bits() ? 0 : 1;
     const auto flat = [&](const RealVector& row) {
-      return std::array<Real, 3>{row[0] * centre.w, row[1] * centre.x, row[2] * centre.y};
+      return std::array<BoundedReal, 3>{row[0] * centre.w, row[1] * centre.x, row[2] * centre.y};
     };
-    for (const Real& term : flat(rows.row[3])) add(rows.slope[by] * term);
-    for (const Real& term : flat(rows.row[by])) add(-rows.slope[3] * term);
+    for (const BoundedReal& term : flat(rows.row[3])) add(rows.slope[by] * term);
+    for (const BoundedReal& term : flat(rows.row[by])) add(-rows.slope[3] * term);
   }
   return sum.sign() == 0 || sum.bits() <= most - 16;
 }
@@ -587,13 +588,14 @@ bool has_wide_coefficients(const ActiveFace& face) {
 std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t y) {
   if (face.kind != FaceKind::root) return no_line;
   const Form d = discriminant_of(about_dot(face, x, y));
-  const Real spread = d.spread();
-  const Real centre = d.centre_y();
+  const BoundedReal spread = d.spread();
+  const BoundedReal centre = d.centre_y();
   constexpr int page_bits = 15;
-  if ((d.x * d.x - Real(4) * d.xx * d.at).blurred(centre, page_bits + 1).blurred(spread, 2 * page_bits).sign() != 0) {
+  if ((d.x * d.x - BoundedReal(4) * d.xx * d.at).blurred(centre, page_bits + 1).blurred(spread, 2 * page_bits).sign() !=
+      0) {
     return no_line;
   }
-  const Real lines = centre / spread;
+  const BoundedReal lines = centre / spread;
   constexpr int fraction = 8;
   if (lines.error_of(fraction) > 1 << (fraction - 2)) {
     const bool is_level = d.x.is_zero() && d.xx.is_zero();
@@ -601,7 +603,7 @@ std::int32_t corner_line_of(const ActiveFace& face, std::int32_t x, std::int32_t
   }
   if (lines.bits() > page_bits) return no_line;
   const auto nearest = static_cast<std::int32_t>((lines.fixed(1) + 1) >> 1);
-  return (lines - Real(nearest)).sign() == 0 ? y + nearest : no_line;
+  return (lines - BoundedReal(nearest)).sign() == 0 ? y + nearest : no_line;
 }
 
 }  // namespace halfspace

@@ -125,14 +125,14 @@ int depth_bits(const BlockQuadratic& d, const BlockDepth& depth, int a_bits, std
 // Of forms in 62 bits, at so many bits of fraction, and the largest error of their terms.
 class Terms {
  public:
-  [[nodiscard]] std::int64_t one(const Real& value, int bits) {
+  [[nodiscard]] std::int64_t one(const BoundedReal& value, int bits) {
     error_ = std::max(error_, value.error_of(bits));
     return value.fixed(bits);
   }
   [[nodiscard]] BlockLinear linear(const RealVector& p, int bits) {
     return {one(p[0], bits), one(p[1], bits), one(p[2], bits)};
   }
-  [[nodiscard]] BlockQuadratic quadratic(const std::array<Real, 6>& p, int bits) {
+  [[nodiscard]] BlockQuadratic quadratic(const std::array<BoundedReal, 6>& p, int bits) {
     return {one(p[0], bits), one(p[1], bits), one(p[2], bits), one(p[3], bits), one(p[4], bits), one(p[5], bits)};
   }
   // With a floor's.
@@ -204,17 +204,17 @@ bool SectionForms::load_depth(const ShadeJob& job, int root_shift, std::int32_t 
   const ActiveFace& face = job.face;
   const FaceRows rows(face, middle, line);
   const int sign = face.sheet < 0 ? -1 : 1;
-  const auto with_sign = [sign](const Real& v) { return sign < 0 ? -v : v; };
+  const auto with_sign = [sign](const BoundedReal& v) { return sign < 0 ? -v : v; };
   const int unit = root_shift + face.surface.discriminant.exponent / 2;  // of s
   Terms terms;
   BlockDepth at;
   const RealVector& b = rows.row[2];
   at.b = terms.linear({with_sign(b[0]), with_sign(b[1]), with_sign(b[2])}, BlockDepth::fraction - unit);
-  std::array<Real, 6> c;
+  std::array<BoundedReal, 6> c;
   for (std::size_t i = 0; i < 6; ++i) c[i] = with_sign(-rows.c[i]);
   int c_shift = discriminant_bits - size_of(c, half, lines).bits();
   at.c = terms.quadratic(c, c_shift);
-  const Real& a = rows.slope[2];
+  const BoundedReal& a = rows.slope[2];
   const int most_bits = depth_bits(d, at, a.bits() - c_shift - 2 * unit, lines, from, to);
   if (most_bits < 0) return false;
   c_shift += std::min(28 - most_bits, 1);
@@ -225,7 +225,7 @@ bool SectionForms::load_depth(const ShadeJob& job, int root_shift, std::int32_t 
 
   const DepthLight lit = light_by_depth(rows, face, job.lighting);
   const auto linear_bits = [&](const RealVector& p) {
-    return size_of({p[0], p[1], p[2], Real(), Real(), Real()}, half, lines).bits();
+    return size_of({p[0], p[1], p[2], BoundedReal(), BoundedReal(), BoundedReal()}, half, lines).bits();
   };
   const int square_bits_needed = std::max(
       {size_of(lit.q, half, lines).bits(), linear_bits(lit.r) + 29 - z_shift, lit.square.bits() + 2 * (29 - z_shift)});

@@ -17,7 +17,7 @@ constexpr std::int64_t least_reach = 1 << 20;  // 2^-30, of a level no more than
 
 // floor(value 2^bits) where that is known to within `error` units.
 template <class T>
-bool put(T& out, const Real& value, int bits, std::int64_t error = 2) {
+bool put(T& out, const BoundedReal& value, int bits, std::int64_t error = 2) {
   out = static_cast<T>(value.fixed(bits));
   return value.error_of(bits) <= error;
 }
@@ -30,20 +30,20 @@ bool all_zero(std::span<const Wide<128>> coefficients, int fraction) {
 
 // The chord of line y: D = -d0 (rho^2 - (x - centre)^2), and 4 d0^2 rho^2 = e2 y^2 + e1 y + e0.
 struct Outline {
-  Real d0, centre, shear;   // -d0 is the D of design.md; the chord's centre is shear y + centre
-  Real middle, root_kappa;  // eta = root_kappa (y - middle)
-  Real radius;
+  BoundedReal d0, centre, shear;   // -d0 is the D of design.md; the chord's centre is shear y + centre
+  BoundedReal middle, root_kappa;  // eta = root_kappa (y - middle)
+  BoundedReal radius;
 };
 
 Outline outline_of(const RootSurface& s) {
-  Real d[6];
-  for (int i = 0; i < 6; ++i) d[i] = Real(s.discriminant.q[static_cast<std::size_t>(i)], 0);
-  const Real two_d0 = d[0] + d[0];
-  const Real four_d0 = two_d0 + two_d0;
-  const Real e2 = d[1] * d[1] - four_d0 * d[2];
-  const Real e1 = (d[1] * d[3] - two_d0 * d[4]) * Real(2);
-  const Real e0 = d[3] * d[3] - four_d0 * d[5];
-  const Real middle = -e1 / (e2 + e2);
+  BoundedReal d[6];
+  for (int i = 0; i < 6; ++i) d[i] = BoundedReal(s.discriminant.q[static_cast<std::size_t>(i)], 0);
+  const BoundedReal two_d0 = d[0] + d[0];
+  const BoundedReal four_d0 = two_d0 + two_d0;
+  const BoundedReal e2 = d[1] * d[1] - four_d0 * d[2];
+  const BoundedReal e1 = (d[1] * d[3] - two_d0 * d[4]) * BoundedReal(2);
+  const BoundedReal e0 = d[3] * d[3] - four_d0 * d[5];
+  const BoundedReal middle = -e1 / (e2 + e2);
   return {-d[0],  -d[3] / two_d0,         -d[1] / two_d0,
           middle, (-e2).root() / -two_d0, (e0 + (e1 * middle).half()).root() / -two_d0};
 }
@@ -60,11 +60,11 @@ std::int32_t level_error(const SphereContours& c, std::int32_t ds) {
 }
 
 // |N|^2 = q + r sqrt(D) with what rounding may have cut off.
-Real square_of(const RootSurface& s, const Outline& o) {
+BoundedReal square_of(const RootSurface& s, const Outline& o) {
   const int exponent = s.square.exponent;
   const std::int64_t rounded = exponent > 0 ? 1 : 0;
-  return Real(s.square.q[5], exponent, rounded << quadratic_error_bits) +
-         Real(Wide<128>(), exponent, rounded << linear_error_bits) * o.d0.root() * o.radius;
+  return BoundedReal(s.square.q[5], exponent, rounded << quadratic_error_bits) +
+         BoundedReal(Wide<128>(), exponent, rounded << linear_error_bits) * o.d0.root() * o.radius;
 }
 
 }  // namespace
@@ -88,29 +88,29 @@ bool make_sphere(const ShadeJob& job, SphereContours& out) {
   const Lighting& g = job.lighting;
   std::int64_t l2 = 0;
   for (const std::int32_t l : g.light) l2 += static_cast<std::int64_t>(l) * l;
-  const Real scale = o.radius / (Real(l2) * square_of(s, o)).root();
-  const Real l0(s.light.q[0], 0);
-  const Real a = l0 * scale;
-  const Real b = Real(s.light_root, 0) * o.d0.root() * scale;
-  const Real c = (Real(s.light.q[1], 0) + l0 * o.shear) * scale / o.root_kappa;
-  const Real reach = (a * a + b * b).root();
+  const BoundedReal scale = o.radius / (BoundedReal(l2) * square_of(s, o)).root();
+  const BoundedReal l0(s.light.q[0], 0);
+  const BoundedReal a = l0 * scale;
+  const BoundedReal b = BoundedReal(s.light_root, 0) * o.d0.root() * scale;
+  const BoundedReal c = (BoundedReal(s.light.q[1], 0) + l0 * o.shear) * scale / o.root_kappa;
+  const BoundedReal reach = (a * a + b * b).root();
 
   out.middle = static_cast<std::int32_t>(std::clamp<std::int64_t>(o.middle.fixed(0), -(1 << 18), 1 << 18));
-  const Real above = Real(out.middle) - o.middle;
+  const BoundedReal above = BoundedReal(out.middle) - o.middle;
   const std::int64_t most = static_cast<std::int64_t>(job.table.levels - 1) * g.parallel;
-  const Real per_level = Real(most) / Real(g.unit);
-  const Real radial = o.radius;
-  const Real lift = c * o.root_kappa;
+  const BoundedReal per_level = BoundedReal(most) / BoundedReal(g.unit);
+  const BoundedReal radial = o.radius;
+  const BoundedReal lift = c * o.root_kappa;
   std::uint64_t bar_slope = 0;
   const bool lit_along_lines =
       put(out.reach, reach, 30) && out.reach >= least_reach && least_reach * g.unit / out.reach <= most &&
       put(out.lift_slope, lift / reach, f + 32, 1 << 17) && put(out.bar_at, above * lift / reach, f + 32, 1 << 30) &&
-      put(bar_slope, radial / (Real(most) * reach), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
+      put(bar_slope, radial / (BoundedReal(most) * reach), f + 32, (1 << 30) / std::max<std::int64_t>(most, 1)) &&
       put(out.alpha, a / reach, 32 + place_bits - f) &&
       put(out.beta, (b.sign() < 0 ? -b : b) / reach, 32 + place_bits - f);
   const bool good = put(out.eta_slope, o.root_kappa, f + 16) && put(out.eta_at, above * o.root_kappa, f + 16) &&
                     put(out.centre_slope, o.shear, f + 16) &&
-                    put(out.centre_at, o.centre + o.shear * Real(out.middle), f + 16) &&
+                    put(out.centre_at, o.centre + o.shear * BoundedReal(out.middle), f + 16) &&
                     put(out.level_slope, per_level / radial, 48 - f) && put(out.radius, radial, f) &&
                     put(out.a, a, 30) && put(out.b, b, 30) && put(out.c, c, 30);
   out.is_upright = s.is_exact() && s.light_root.is_zero() && s.light.q[1].is_zero() && !job.contours->block.empty();

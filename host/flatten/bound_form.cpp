@@ -49,7 +49,7 @@ BoundForm BoundForm::towards(std::size_t axis, double sign) const {
   return far;
 }
 
-ValueRange BoundForm::over(const Cell& cell) const {
+ValueRange BoundForm::over(const CentredBox& cell) const {
   const auto& m = cell.middle;
   const auto& h = cell.half;
   double value = k_, low = 0, high = 0, reach = 0;

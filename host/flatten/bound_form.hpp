@@ -9,7 +9,7 @@
 
 namespace halfspace {
 
-struct Cell {
+struct CentredBox {
   std::array<double, 3> middle{}, half{};
 };
 
@@ -22,7 +22,7 @@ struct ValueRange {
 class BoundForm {
  public:
   explicit BoundForm(const RealHalfSpace& shape);
-  [[nodiscard]] ValueRange over(const Cell& cell) const;
+  [[nodiscard]] ValueRange over(const CentredBox& cell) const;
 
   // Far away: of (x', y', t) it has the sign that this form has of x / t, where the point x is `sign` along `axis` and (x', y') along the
   // two axes after it. t = 0 is infinity.

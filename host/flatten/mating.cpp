@@ -125,11 +125,12 @@ std::size_t SurfaceMating::KeyHash::operator()(const Key& key) const {
 }
 
 // Whichever its sign. A size is right to 2^-53 of itself, which is 2^-10 of a cell up to 2^43 cells, or to 2^-8 of a cell: all that is
-// further off has one cell.
+// further off, or no number, has one cell.
 SurfaceMating::CellRange SurfaceMating::cells_around(HalfSpaceKind kind, std::size_t coordinate, double v) {
   if (v == 0) return {0, 0, 0};
   const double cells = cells_per_unit(kind, coordinate);
-  const double size = std::min(std::abs(v) * cells, 0x1p43) + 0.5;
+  constexpr double far = 0x1p43;
+  const double size = (std::abs(v) * cells < far ? std::abs(v) * cells : far) + 0.5;
   const double reach = reach_in_cells(kind, coordinate) + 0x1p-6;
   const auto cell = [](double at) { return static_cast<std::int64_t>(at); };  // none is negative
   return {cell(size), cell(size - reach), cell(size + reach)};
@@ -242,7 +243,7 @@ void SurfaceMating::enlist(const MatingSurface& surface, std::span<const std::ui
 void SurfaceMating::add_to_cell(const Cells& cells, std::size_t leader) {
   Key key{};
   std::transform(cells.begin(), cells.end(), key.begin(), [](const CellRange& range) { return range.at; });
-  const auto [entry, is_new] = cells_.try_emplace(key, Cell{leader, leader});
+  const auto [entry, is_new] = cells_.try_emplace(key, CentredBox{leader, leader});
   if (is_new) return;
   leaders_[std::exchange(entry->second.last, leader)].next = leader;
 }

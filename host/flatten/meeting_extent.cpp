@@ -85,7 +85,7 @@ Real size_told(std::span<const Side> sides) {
 }
 
 // The part's middle is rounded, so that simple numbers stay simple.
-Frame frame_around(const Cell& part, const Frame& frame, Real least_size) {
+Frame frame_around(const CentredBox& part, const Frame& frame, Real least_size) {
   Frame closer;
   for (std::size_t i = 0; i < 3; ++i) {
     closer.size[i] = larger(power_above(part.half[i] * frame.size[i] * Real(1.0625)), least_size);
@@ -100,7 +100,7 @@ struct FramedBody {
   Frame frame;
   std::vector<RealHalfSpace> shapes;
   std::vector<BoundForm> bounds;
-  Cell part{{0, 0, 0}, {1, 1, 1}};
+  CentredBox part{{0, 0, 0}, {1, 1, 1}};
 };
 
 // The frame shrunk until the part fills it; none where there is no body.
@@ -167,7 +167,7 @@ class AxisSearch {
 
   // The body's last position in the direction of `sign`; none where it has no point.
   [[nodiscard]] std::optional<Real> end(double sign, double slack) {
-    const Cell& part = body_.part;
+    const CentredBox& part = body_.part;
     const Outermost outer = search_outwards(body_.bounds, part, axis_, sign, slack);
     const bool is_known = std::isfinite(outer.known);
     if (outer.bound > outer.known) {
@@ -257,7 +257,7 @@ std::optional<Box> box_of(const FramedBody& body, Real slack) {
 
 Frame frame_around(const Box& box, Real least_size) {
   const Frame unit{{0, 0, 0}, {1, 1, 1}};
-  Cell cell;
+  CentredBox cell;
   for (std::size_t i = 0; i < 3; ++i) {
     cell.middle[i] = static_cast<double>((box.low[i] + box.high[i]) / 2);
     cell.half[i] = static_cast<double>((box.high[i] - box.low[i]) / 2 + magnitude(box.low[i]) * power_of_two(-50));

@@ -20,7 +20,7 @@ constexpr double shrunk = 0.76;
 
 // An open box and the forms whose sign is not the same all over it.
 struct Open {
-  Cell cell;
+  CentredBox cell;
   std::vector<std::uint32_t> doubtful;
   double top = 0;
 };
@@ -32,13 +32,13 @@ std::vector<std::uint32_t> every(std::size_t count) {
   return all;
 }
 
-bool may_hold(std::span<const BoundForm> forms, const Cell& cell) {
+bool may_hold(std::span<const BoundForm> forms, const CentredBox& cell) {
   return std::none_of(forms.begin(), forms.end(), [&](const BoundForm& f) { return f.over(cell).low > 0; });
 }
 
 // Corners rounded outwards.
-Cell cell_between(const std::array<double, 3>& low, const std::array<double, 3>& high) {
-  Cell cell;
+CentredBox cell_between(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  CentredBox cell;
   for (std::size_t i = 0; i < 3; ++i) {
     cell.middle[i] = low[i] + (high[i] - low[i]) / 2;
     cell.half[i] = std::max(high[i] - cell.middle[i], cell.middle[i] - low[i]) * (1 + 0x1p-50);
@@ -46,13 +46,13 @@ Cell cell_between(const std::array<double, 3>& low, const std::array<double, 3>&
   return cell;
 }
 
-double outer_end(const Cell& cell, std::size_t i, double sign) {
+double outer_end(const CentredBox& cell, std::size_t i, double sign) {
   return cell.middle[i] + sign * cell.half[i] * (1 + 0x1p-50);
 }
 
 // They overlap.
-std::array<Cell, 2> halves(const Cell& cell, std::size_t i) {
-  std::array<Cell, 2> parts{cell, cell};
+std::array<CentredBox, 2> halves(const CentredBox& cell, std::size_t i) {
+  std::array<CentredBox, 2> parts{cell, cell};
   const double quarter = cell.half[i] / 2;
   parts[0].half[i] = parts[1].half[i] = quarter * (1 + 0x1p-40);
   parts[0].middle[i] -= quarter;
@@ -64,31 +64,31 @@ std::array<Cell, 2> halves(const Cell& cell, std::size_t i) {
 // is the next whole, and directions in which a body nearly has no end are told apart as finely at every size.
 class Surroundings {
  public:
-  Surroundings(std::span<const BoundForm> forms, const Cell& whole, int cells) : forms_(forms), whole_(whole) {
-    std::deque<Cell> open{whole};
+  Surroundings(std::span<const BoundForm> forms, const CentredBox& whole, int cells) : forms_(forms), whole_(whole) {
+    std::deque<CentredBox> open{whole};
     for (int n = 0; !open.empty(); ++n) {
-      const Cell cell = open.front();
+      const CentredBox cell = open.front();
       open.pop_front();
       if (!may_hold(forms_, cell)) continue;
       if (n >= cells || is_in_core(cell)) {
         add(cell);
       } else {
-        for (const Cell& half : halves(cell, 0)) {
-          for (const Cell& quarter : halves(half, 1)) {
-            for (const Cell& eighth : halves(quarter, 2)) open.push_back(eighth);
+        for (const CentredBox& half : halves(cell, 0)) {
+          for (const CentredBox& quarter : halves(half, 1)) {
+            for (const CentredBox& eighth : halves(quarter, 2)) open.push_back(eighth);
           }
         }
       }
     }
   }
 
-  [[nodiscard]] std::optional<Cell> hull() const {
+  [[nodiscard]] std::optional<CentredBox> hull() const {
     if (is_empty_) return std::nullopt;
     return cell_between(low_, high_);
   }
 
  private:
-  [[nodiscard]] bool is_in_core(const Cell& cell) const {
+  [[nodiscard]] bool is_in_core(const CentredBox& cell) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const double core = whole_.half[i] / 2 * (1 + 0x1p-30);
       if (outer_end(cell, i, -1) < whole_.middle[i] - core || outer_end(cell, i, 1) > whole_.middle[i] + core)
@@ -97,7 +97,7 @@ class Surroundings {
     return true;
   }
 
-  void add(const Cell& cell) {
+  void add(const CentredBox& cell) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double a = outer_end(cell, i, -1);
       const double b = outer_end(cell, i, 1);
@@ -108,13 +108,13 @@ class Surroundings {
   }
 
   std::span<const BoundForm> forms_;
-  const Cell& whole_;
+  const CentredBox& whole_;
   std::array<double, 3> low_{}, high_{};
   bool is_empty_ = true;
 };
 
 // Sides that are longer than those of the part. Is one of them much longer?
-bool shrink(Cell& cell, const Cell& part) {
+bool shrink(CentredBox& cell, const CentredBox& part) {
   bool has_shrunk = false;
   for (std::size_t i = 0; i < 3; ++i) {
     has_shrunk = has_shrunk || part.half[i] < shrunk * cell.half[i];
@@ -129,7 +129,7 @@ class Search {
  public:
   Search(std::span<const BoundForm> forms, std::size_t axis, double sign) : forms_(forms), axis_(axis), sign_(sign) {}
 
-  Outermost run(const Cell& whole, double slack) {
+  Outermost run(const CentredBox& whole, double slack) {
     offer({whole, every(forms_.size())});
     for (int n = 0; n < most_halvings && is_open(slack); ++n) {
       const Open outer = open_.top();
@@ -146,7 +146,7 @@ class Search {
   void halve(const Open& open) {
     const auto& h = open.cell.half;
     const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
-    for (const Cell& half : halves(open.cell, longest)) offer({half, open.doubtful});
+    for (const CentredBox& half : halves(open.cell, longest)) offer({half, open.doubtful});
   }
 
   void offer(Open open) {
@@ -200,10 +200,10 @@ class MeetingSearch {
   MeetingSearch(std::span<const BoundForm> forms, std::span<const std::optional<std::size_t>> families)
       : forms_(forms), families_(families) {}
 
-  [[nodiscard]] bool finds(const Cell& whole) { return finds(whole, every(forms_.size())); }
+  [[nodiscard]] bool finds(const CentredBox& whole) { return finds(whole, every(forms_.size())); }
 
  private:
-  [[nodiscard]] bool finds(const Cell& cell, const std::vector<std::uint32_t>& doubtful_around) {
+  [[nodiscard]] bool finds(const CentredBox& cell, const std::vector<std::uint32_t>& doubtful_around) {
     if (fails(last_to_fail_, cell)) return false;
     std::vector<std::uint32_t> doubtful;
     doubtful.reserve(doubtful_around.size());
@@ -219,11 +219,11 @@ class MeetingSearch {
     const auto& h = cell.half;
     const auto longest = static_cast<std::size_t>(std::max_element(h.begin(), h.end()) - h.begin());
     if (++cells_ > meeting_cells || h[longest] < least_meeting) return true;
-    const std::array<Cell, 2> parts = halves(cell, longest);
+    const std::array<CentredBox, 2> parts = halves(cell, longest);
     return finds(parts[0], doubtful) || finds(parts[1], doubtful);
   }
 
-  [[nodiscard]] bool fails(std::uint32_t form, const Cell& cell) const { return forms_[form].over(cell).low > 0; }
+  [[nodiscard]] bool fails(std::uint32_t form, const CentredBox& cell) const { return forms_[form].over(cell).low > 0; }
 
   [[nodiscard]] bool has_two_families(const std::vector<std::uint32_t>& forms) const {
     std::optional<std::size_t> first;
@@ -243,8 +243,8 @@ class MeetingSearch {
 
 }  // namespace
 
-std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly) {
-  Cell cell = whole;
+std::optional<CentredBox> part_with_body(std::span<const BoundForm> forms, const CentredBox& whole, bool thoroughly) {
+  CentredBox cell = whole;
   int cells = few_cells;
   for (int n = 0; n < most_steps; ++n) {
     const auto part = Surroundings(forms, cell, cells).hull();
@@ -268,19 +268,20 @@ bool may_meet(std::span<const BoundForm> forms, std::span<const std::optional<st
   return false;
 }
 
-Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double sign,
+Outermost search_outwards(std::span<const BoundForm> forms, const CentredBox& whole, std::size_t axis, double sign,
                           double slack) {
   return Search(forms, axis, sign).run(whole, slack);
 }
 
-std::optional<bool> meets_plane(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis, double at) {
-  Cell plane = whole;
+std::optional<bool> meets_plane(std::span<const BoundForm> forms, const CentredBox& whole, std::size_t axis,
+                                double at) {
+  CentredBox plane = whole;
   plane.middle[axis] = at;
   plane.half[axis] = 0;
-  std::deque<Cell> open{plane};
+  std::deque<CentredBox> open{plane};
   for (int n = 0; !open.empty(); ++n) {
     if (n == most_cells) return std::nullopt;
-    const Cell cell = open.front();
+    const CentredBox cell = open.front();
     open.pop_front();
     bool may_hold_here = true;
     bool middle_holds = true;
@@ -291,8 +292,8 @@ std::optional<bool> meets_plane(std::span<const BoundForm> forms, const Cell& wh
     }
     if (middle_holds) return true;
     if (!may_hold_here) continue;
-    for (const Cell& part : halves(cell, (axis + 1) % 3)) {
-      for (const Cell& quarter : halves(part, (axis + 2) % 3)) open.push_back(quarter);
+    for (const CentredBox& part : halves(cell, (axis + 1) % 3)) {
+      for (const CentredBox& quarter : halves(part, (axis + 2) % 3)) open.push_back(quarter);
     }
   }
   return false;

@@ -17,7 +17,8 @@
 namespace halfspace {
 
 // The part of `whole` that the body can be in; none where there is no body. `thoroughly`: with more trouble before it is left as it is.
-[[nodiscard]] std::optional<Cell> part_with_body(std::span<const BoundForm> forms, const Cell& whole, bool thoroughly);
+[[nodiscard]] std::optional<CentredBox> part_with_body(std::span<const BoundForm> forms, const CentredBox& whole,
+                                                       bool thoroughly);
 
 // Can two forms of different families (none: not asked) vanish in one point of the body, anywhere? Yes, if small boxes do not tell.
 // The body is best of about size 1: what lies beyond is searched by its directions and the inverse of its distance.
@@ -34,11 +35,11 @@ struct Outermost {
 
 // Along `axis` (0, 1, 2) in the direction of `sign`, distances counted that way. Stops early when the two are no further apart than
 // `slack`.
-[[nodiscard]] Outermost search_outwards(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis,
+[[nodiscard]] Outermost search_outwards(std::span<const BoundForm> forms, const CentredBox& whole, std::size_t axis,
                                         double sign, double slack);
 
 // Has the body a point in the plane where coordinate `axis` is `at`? None: that is not told so easily.
-[[nodiscard]] std::optional<bool> meets_plane(std::span<const BoundForm> forms, const Cell& whole, std::size_t axis,
-                                              double at);
+[[nodiscard]] std::optional<bool> meets_plane(std::span<const BoundForm> forms, const CentredBox& whole,
+                                              std::size_t axis, double at);
 
 }  // namespace halfspace

@@ -206,7 +206,7 @@ std::variant<Curve, RadicalForm, QuarticForm> form_of(const FormOnSheet& form) {
   return RadicalForm{k.p, (form.sheet == Sheet::front ? -1 : 1) * k.r, form.sheets->d};
 }
 
-std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent) {
+std::vector<ScanRow> rows_of(const FormOnSheet& form, const DotExtent& extent) {
   BoundingCurves bounds;
   bounds.quartics.push_back({form.part, {form.constraint}, {form.others}, std::nullopt});
   if (form.has_limb()) {
@@ -223,7 +223,7 @@ std::vector<ScanRow> rows_of(const FormOnSheet& form, const Extent& extent) {
 
 }  // namespace
 
-ArcGuide::ArcGuide(const FormOnSheet& form, const Extent& extent)
+ArcGuide::ArcGuide(const FormOnSheet& form, const DotExtent& extent)
     : form_on_sheet_(form),
       near_(*form_on_sheet_.sheets, form_on_sheet_.value()),
       form_(form_of(form_on_sheet_)),

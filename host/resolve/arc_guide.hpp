@@ -37,7 +37,7 @@ using KnownLines = std::map<std::int64_t, KnownLine>;
 class ArcGuide {
  public:
   // Keeps the form's pointers.
-  ArcGuide(const FormOnSheet& form, const Extent& extent);
+  ArcGuide(const FormOnSheet& form, const DotExtent& extent);
 
   [[nodiscard]] const std::variant<Curve, RadicalForm, QuarticForm>& form() const { return form_; }
 

@@ -35,7 +35,7 @@ void ArcTable::use(const ArcName& name, std::int32_t y0, std::int32_t y1) {
   if (name.curve != no_arc) uses_.push_back({name, y0, y1, no_arc});
 }
 
-void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs) {
+void ArcTable::join_uses(std::uint32_t body, const DotExtent& extent, std::vector<Arc>& arcs) {
   std::sort(uses_.begin(), uses_.end(),
             [](const Run& a, const Run& b) { return std::tie(a.name, a.y0) < std::tie(b.name, b.y0); });
   std::map<std::uint32_t, ArcGuide> guides;
@@ -53,7 +53,7 @@ void ArcTable::join_uses(std::uint32_t body, const Extent& extent, std::vector<A
   }
 }
 
-void ArcTable::append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const Extent& extent,
+void ArcTable::append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const DotExtent& extent,
                            std::vector<Arc>& arcs) const {
   const ArcName& name = run.name;
   if (!name.guided) {

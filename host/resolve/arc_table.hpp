@@ -36,7 +36,7 @@ class ArcTable {
   [[nodiscard]] std::uint32_t curve_index(const Curve& curve);
   [[nodiscard]] std::uint32_t add_guide(const FormOnSheet& form);
   void use(const ArcName& name, std::int32_t y0, std::int32_t y1);
-  void join_uses(std::uint32_t body, const Extent& extent, std::vector<Arc>& arcs);  // once, after every use
+  void join_uses(std::uint32_t body, const DotExtent& extent, std::vector<Arc>& arcs);  // once, after every use
 
   // The arc on line y and its last line; no_arc for a side without one.
   struct Piece {
@@ -51,7 +51,7 @@ class ArcTable {
     std::int32_t y0, y1;
     std::uint32_t arc;
   };
-  void append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const Extent& extent,
+  void append_arcs(const Run& run, std::map<std::uint32_t, ArcGuide>& guides, const DotExtent& extent,
                    std::vector<Arc>& arcs) const;
 
   std::int64_t origin_y_ = 0;

@@ -37,7 +37,7 @@ EnclosedCurve::EnclosedCurve(const Curve& p, long exponent) {
 // Taylor's form at the box's centre: exact for degree two, so the enclosure closes in as fast as the box does.
 // Rounding  A monomial of the value, and of a slope times its half side, passes at most ten roundings of 2^-53, the coefficient's
 //           own counted twice: within 2^-48 of `size`, the sum of their absolute values. What underflows is below 2^-900.
-Interval EnclosedCurve::over(const Box& box) const {
+Interval EnclosedCurve::over(const DotBox& box) const {
   const double x = (box.x0 + box.x1) / 2;
   const double y = (box.y0 + box.y1) / 2;
   const double half_x = std::max(box.x1 - x, x - box.x0);
@@ -153,7 +153,7 @@ bool SheetForms<Form, Place>::implies(std::size_t constraint, const Place& place
   return false;
 }
 
-template class SheetForms<EnclosedCurve, Box>;
+template class SheetForms<EnclosedCurve, DotBox>;
 template class SheetForms<QuadraticOnLine, Interval>;
 
 EnclosedSheet::EnclosedSheet(const Sheets& sheets, Sheet sheet) {

@@ -13,7 +13,7 @@
 namespace halfspace {
 
 // Local dots; any doubles with x0 <= x1, y0 <= y1.
-struct Box {
+struct DotBox {
   double x0, y0, x1, y1;
 };
 
@@ -35,7 +35,7 @@ class EnclosedCurve {
  public:
   EnclosedCurve() = default;
   EnclosedCurve(const Curve& p, long exponent);
-  [[nodiscard]] Interval over(const Box& box) const;
+  [[nodiscard]] Interval over(const DotBox& box) const;
   [[nodiscard]] QuadraticOnLine on_line(double y) const;
 
  private:
@@ -93,7 +93,7 @@ class SheetOnLine : public SheetForms<QuadraticOnLine, Interval> {
   friend class EnclosedSheet;
 };
 
-class EnclosedSheet : public SheetForms<EnclosedCurve, Box> {
+class EnclosedSheet : public SheetForms<EnclosedCurve, DotBox> {
  public:
   EnclosedSheet(const Sheets& sheets, Sheet sheet);
   [[nodiscard]] SheetOnLine on_line(double y) const;

@@ -72,13 +72,13 @@ ShortList<ArcName> names_at(const FaceCurves& face, Sheet sheet, const RowRoot& 
   return names;
 }
 
-std::int64_t clamped(const mpz_class& x, const Extent& extent) {
+std::int64_t clamped(const mpz_class& x, const DotExtent& extent) {
   if (x < static_cast<long>(extent.x0)) return extent.x0;
   return x > static_cast<long>(extent.x1) ? extent.x1 : x.get_si();
 }
 
 // The dots of an interval within the extent; x0 > x1 when there is none.
-void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, const Extent& extent,
+void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, const DotExtent& extent,
               NamedInterval& named) {
   named.x0 = extent.x0;
   named.x1 = extent.x1;
@@ -100,7 +100,7 @@ void set_dots(const RowInterval& interval, const std::vector<RowRoot>& roots, co
 }
 
 NamedInterval named(const RowInterval& interval, const FaceCurves& face, Sheet sheet, const std::vector<RowRoot>& roots,
-                    bool in_dots, const Extent& extent) {
+                    bool in_dots, const DotExtent& extent) {
   const auto names = [&](int root, bool open, bool left_side) {
     if (root == unbounded) return ShortList{ArcName{}};
     return names_at(face, sheet, roots[static_cast<std::size_t>(root)], open, left_side);
@@ -113,7 +113,7 @@ NamedInterval named(const RowInterval& interval, const FaceCurves& face, Sheet s
 
 }  // namespace
 
-BoundingCurves FaceFinder::append_faces(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
+BoundingCurves FaceFinder::append_faces(const Sheets& sheets, const DotExtent& extent, const HiddenExits& exits,
                                         QuarticTable& table, ArcTable& arcs, std::vector<FaceCells>& faces) {
   presences_.clear();
   std::array<Open, 2> open;

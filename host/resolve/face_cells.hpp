@@ -25,7 +25,7 @@ class FaceFinder {
  public:
   // Front before back. Of sheets that rays only leave by, what can win a tie (exit_sheets.hpp). `arcs` keeps pointers to the curves that are
   // returned.
-  [[nodiscard]] BoundingCurves append_faces(const Sheets& sheets, const Extent& extent, const HiddenExits& exits,
+  [[nodiscard]] BoundingCurves append_faces(const Sheets& sheets, const DotExtent& extent, const HiddenExits& exits,
                                             QuarticTable& table, ArcTable& arcs, std::vector<FaceCells>& faces);
 
  private:

@@ -13,8 +13,8 @@ namespace {
 constexpr int most_boxes = 300;
 constexpr double least_share = 0x1p-6;  // of the page's larger side
 
-std::array<Box, 2> halves(const Box& box) {
-  std::array<Box, 2> parts{box, box};
+std::array<DotBox, 2> halves(const DotBox& box) {
+  std::array<DotBox, 2> parts{box, box};
   if (box.x1 - box.x0 > box.y1 - box.y0) {
     parts[0].x1 = parts[1].x0 = (box.x0 + box.x1) / 2;
   } else {
@@ -23,21 +23,21 @@ std::array<Box, 2> halves(const Box& box) {
   return parts;
 }
 
-bool is_implied(const EnclosedSheet& sheet, std::size_t constraint, const Box& page) {
-  const auto size = [](const Box& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); };
+bool is_implied(const EnclosedSheet& sheet, std::size_t constraint, const DotBox& page) {
+  const auto size = [](const DotBox& box) { return std::max(box.x1 - box.x0, box.y1 - box.y0); };
   const double least = size(page) * least_share;
-  std::vector<Box> open{page};
+  std::vector<DotBox> open{page};
   for (int n = 0; !open.empty(); ++n) {
-    const Box box = open.back();
+    const DotBox box = open.back();
     open.pop_back();
     if (sheet.implies(constraint, box)) continue;
     if (n == most_boxes || size(box) <= least) return false;
-    for (const Box& half : halves(box)) open.push_back(half);
+    for (const DotBox& half : halves(box)) open.push_back(half);
   }
   return true;
 }
 
-bool is_needless(const Sheets& sheets, std::size_t constraint, const Box& page) {
+bool is_needless(const Sheets& sheets, std::size_t constraint, const DotBox& page) {
   const std::span<const Sheet> all = sheets_in(sheets);
   return std::all_of(all.begin(), all.end(),
                      [&](Sheet sheet) { return is_implied(EnclosedSheet(sheets, sheet), constraint, page); });
@@ -45,9 +45,9 @@ bool is_needless(const Sheets& sheets, std::size_t constraint, const Box& page) 
 
 }  // namespace
 
-void drop_needless_quartics(Sheets& sheets, const Extent& extent) {
-  const Box page{static_cast<double>(extent.x0), static_cast<double>(extent.y0), static_cast<double>(extent.x1),
-                 static_cast<double>(extent.y1)};
+void drop_needless_quartics(Sheets& sheets, const DotExtent& extent) {
+  const DotBox page{static_cast<double>(extent.x0), static_cast<double>(extent.y0), static_cast<double>(extent.x1),
+                    static_cast<double>(extent.y1)};
   for (std::size_t i = sheets.constraints.size(); i-- > 0;) {
     if (degree_of(sheets.constraints[i].n) <= 2 || !is_needless(sheets, i, page)) continue;
     sheets.constraints.erase(sheets.constraints.begin() + static_cast<std::ptrdiff_t>(i));

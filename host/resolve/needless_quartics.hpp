@@ -10,6 +10,6 @@
 
 namespace halfspace {
 
-void drop_needless_quartics(Sheets& sheets, const Extent& extent);
+void drop_needless_quartics(Sheets& sheets, const DotExtent& extent);
 
 }  // namespace halfspace

@@ -10,7 +10,7 @@
 namespace halfspace {
 namespace {
 
-Extent local_extent(const IntegerBody& body, const Scissor& scissor) {
+DotExtent local_extent(const IntegerBody& body, const Scissor& scissor) {
   return {scissor.x0 - body.origin[0], scissor.y0 - body.origin[1], scissor.x1 - body.origin[0],
           scissor.y1 - body.origin[1]};
 }
@@ -53,7 +53,7 @@ class BodyResolver {
   void append(std::uint32_t index, ResolvedScene& resolved);
 
  private:
-  void find_opaque_sheets(const IntegerBody& body, const Extent& extent);
+  void find_opaque_sheets(const IntegerBody& body, const DotExtent& extent);
 
   const IntegerScene& scene_;
   bool all_faces_;
@@ -64,7 +64,7 @@ class BodyResolver {
   std::vector<FaceCells> faces_;
 };
 
-void BodyResolver::find_opaque_sheets(const IntegerBody& body, const Extent& extent) {
+void BodyResolver::find_opaque_sheets(const IntegerBody& body, const DotExtent& extent) {
   opaque_.clear();
   opaque_.reserve(body.half_spaces.size());
   for (std::uint32_t i = 0; i < body.half_spaces.size(); ++i) {
@@ -80,7 +80,7 @@ void BodyResolver::find_opaque_sheets(const IntegerBody& body, const Extent& ext
 
 void BodyResolver::append(std::uint32_t index, ResolvedScene& resolved) {
   const IntegerBody& body = scene_.bodies[index];
-  const Extent extent = local_extent(body, scene_.scissor);
+  const DotExtent extent = local_extent(body, scene_.scissor);
   if (extent.x0 > extent.x1 || extent.y0 > extent.y1) return;
   const bool hide = !all_faces_ && rays_start_outside(body);
   find_opaque_sheets(body, extent);

@@ -21,7 +21,7 @@
 namespace halfspace {
 
 // Local dots, inclusive.
-struct Extent {
+struct DotExtent {
   std::int64_t x0 = 0, y0 = 0, x1 = -1, y1 = -1;
 };
 

@@ -8,7 +8,7 @@
 namespace halfspace::test {
 namespace {
 
-constexpr Extent page{-20, -20, 19, 19};
+constexpr DotExtent page{-20, -20, 19, 19};
 
 // How many of the others are left on the sheets of the first half-space.
 std::size_t left_on_first(std::vector<IntegerHalfSpace> half_spaces) {

@@ -8,6 +8,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import check_cross_build  # noqa: E402
 import check_includes  # noqa: E402
+import check_names  # noqa: E402
 import check_tokens  # noqa: E402
 
 
@@ -72,6 +73,27 @@ class Tokens(unittest.TestCase):
 
     def test_code_after_a_separator_is_read(self):
         self.assertEqual(len(self.complaints("int a = 1'000; double b; char c = 'x';")), 1)
+
+
+class Names(unittest.TestCase):
+    def complaints(self, *texts):
+        with tempfile.TemporaryDirectory() as folder:
+            for number, text in enumerate(texts):
+                planted = pathlib.Path(folder, ["firmware/core", "host/flatten", "sim"][number], "a.hpp")
+                planted.parent.mkdir(parents=True)
+                planted.write_text(f"namespace halfspace {{\n{text}\n}}\n", encoding="utf-8")
+            return check_names.check(pathlib.Path(folder))
+
+    def test_one_name_for_two_types_is_found(self):
+        for text in ["class Real {\n};", "struct Real final : Base {\n};", "enum class Real { a };"]:
+            with self.subTest(text=text):
+                self.assertEqual(len(self.complaints("struct Real {\n};", "struct Ball {\n};", text)), 1)
+
+    def test_declarations_comments_and_other_namespaces_pass(self):
+        for text in ["struct Real;", "// struct Real {", "}\nnamespace halfspace::oracle {\nstruct Real {\n};", "class RealRow {\n};",
+                     "struct Row {\n  struct Real {\n  };\n};"]:
+            with self.subTest(text=text):
+                self.assertEqual(self.complaints("struct Real {\n};", text), [])
 
 
 class CrossBuild(unittest.TestCase):
