@@ -4,8 +4,6 @@
 
 #include <filesystem>
 
-#ifdef HALFSPACE_CODEC_MODULE
-
 namespace halfspace {
 namespace {
 
@@ -33,15 +31,3 @@ const ImageCodec* image_codec(std::string& error) {
 }
 
 }  // namespace halfspace
-
-#else
-
-namespace halfspace {
-
-extern "C" const ImageCodec halfspace_image_codec;
-
-const ImageCodec* image_codec(std::string& /*error*/) { return &halfspace_image_codec; }
-
-}  // namespace halfspace
-
-#endif
