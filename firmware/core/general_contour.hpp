@@ -34,7 +34,7 @@ struct GeneralContours {
   std::int32_t ridge = 0;           // of the last line, on the page: where the next one's is sought
   std::int32_t unsure_courses = 0;  // on this block's lines so far
   std::int32_t vain_chords = 0;     // short spans, one after the other, that chords did not do
-  std::int32_t steps = 0;  // that the last span took: dots, and four for each that words of 32 bits did not tell
+  std::int32_t steps = 0;           // that the last span took (docs/contours.md)
 };
 
 }  // namespace halfspace

@@ -243,7 +243,7 @@ void SurfaceMating::enlist(const MatingSurface& surface, std::span<const std::ui
 void SurfaceMating::add_to_cell(const Cells& cells, std::size_t leader) {
   Key key{};
   std::transform(cells.begin(), cells.end(), key.begin(), [](const CellRange& range) { return range.at; });
-  const auto [entry, is_new] = cells_.try_emplace(key, CentredBox{leader, leader});
+  const auto [entry, is_new] = cells_.try_emplace(key, Cell{leader, leader});
   if (is_new) return;
   leaders_[std::exchange(entry->second.last, leader)].next = leader;
 }

@@ -83,7 +83,7 @@ class SurfaceMating {
     std::map<std::size_t, FamilyMember> family_members;  // of the other groups whose quadrics joined
     std::size_t next = no_leader;                        // in the cell
   };
-  struct CentredBox {
+  struct Cell {
     std::size_t first = no_leader, last = no_leader;  // leaders
   };
   static constexpr std::size_t no_leader = static_cast<std::size_t>(-1);
@@ -108,7 +108,7 @@ class SurfaceMating {
   Vector3 middle_;
   Real page_size_;
   std::vector<Leader> leaders_;
-  std::unordered_map<Key, CentredBox, KeyHash> cells_;
+  std::unordered_map<Key, Cell, KeyHash> cells_;
 };
 
 }  // namespace halfspace

@@ -319,7 +319,7 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
   int changes = 0;
   int parted = 0;
   int proven = 0;
-  for (int trial = 0; trial < testing::trials(600); ++trial) {
+  for (int trial = 0; trial < trials(600); ++trial) {
     if (trial % 3 == 0) {
       for (std::size_t i = 0; i < shape.size(); ++i) shape[i] = i < 3 ? between(dice, 3, 6) : between(dice, -1, 1);
     } else {
@@ -341,9 +341,9 @@ TEST(DepthOrder, OfTwoSpheresOneIsNearerOnNeighbouringDots) {
       changes += f.active.proofs[0].crossing >= 0 ? 1 : 0;
     }
   }
-  EXPECT_GT(changes, testing::trials(1000));
-  EXPECT_GT(parted, testing::trials(1000));
-  EXPECT_GT(proven, testing::trials(1000));
+  EXPECT_GT(changes, trials(1000));
+  EXPECT_GT(parted, trials(1000));
+  EXPECT_GT(proven, trials(1000));
 }
 
 // Every dot ties, on the longest run there is: each is decided by itself, and the stack of runs must hold them all.

@@ -221,7 +221,7 @@ TEST(GeneralContour, DegenerateQuotients) {
       }
     }
   }
-  EXPECT_GT(tally.dots, testing::trials(40000U));
+  EXPECT_GT(tally.dots, 40000U);
 }
 
 // Hyperboloids seen nearly along their asymptotic cone, where N is a small difference of large terms.
@@ -356,7 +356,7 @@ TEST(GeneralContour, DegenerateFaces) {
       }
     }
   }
-  EXPECT_GT(tally.dots, testing::trials(100000U));
+  EXPECT_GT(tally.dots, 100000U);
 }
 
 // As long as a page is wide: several sections.
@@ -368,7 +368,7 @@ TEST(GeneralContour, TheWidestSpan) {
   Dice dice(35);
   Tally tally;
   expect_same_dots(face, lighting, 256, 30, width, dice, tally);
-  EXPECT_GT(tally.dots, testing::trials(32000U));
+  EXPECT_GT(tally.dots, 32000U);
 }
 
 struct ChordTally {

@@ -6,7 +6,6 @@ looked at. Integer helpers of libgcc (division, wide multiplication and shifts) 
 """
 import concurrent.futures
 import os
-import pathlib
 import re
 import subprocess
 import sys
@@ -51,12 +50,5 @@ def check(root):
         return [line for lines in pool.map(lambda p: check_source(root, p), paths) for line in lines]
 
 
-def main():
-    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else cpp_text.ROOT
-    found = check(root)
-    print("\n".join(found), end="\n" if found else "")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(cpp_text.run(check))

@@ -4,7 +4,6 @@
 The core includes itself and freestanding headers of the language; nothing outside tests includes
 tests, but for the report, whose errors are distances from the oracle.
 """
-import pathlib
 import sys
 
 import cpp_text
@@ -59,12 +58,5 @@ def check(root):
     return found
 
 
-def main():
-    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else cpp_text.ROOT
-    found = check(root)
-    print("\n".join(found), end="\n" if found else "")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(cpp_text.run(check))

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 """check_names.py [ROOT] - no two headers define a type of one name: a program that links both would mix their inline functions."""
-import pathlib
 import re
 import sys
 
@@ -28,12 +27,5 @@ def check(root):
     return found
 
 
-def main():
-    root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else cpp_text.ROOT
-    found = check(root)
-    print("\n".join(found), end="\n" if found else "")
-    return 1 if found else 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(cpp_text.run(check))

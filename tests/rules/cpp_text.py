@@ -1,6 +1,7 @@
 """cpp_text.py - C++ text without its comments and strings, for the checks of house rules."""
 import pathlib
 import re
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCES = {".cpp", ".hpp", ".c", ".h", ".S", ".s"}
@@ -33,3 +34,10 @@ def sources(root, *folders):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix in SOURCES and path.is_file():
                 yield path.relative_to(root)
+
+
+def run(check):
+    """The program of a check: `check(ROOT)` lists what it finds wrong, a line each; 1 if anything."""
+    found = check(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT)
+    print("\n".join(found), end="\n" if found else "")
+    return 1 if found else 0
