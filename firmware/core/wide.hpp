@@ -85,8 +85,10 @@ class Wide {
   constexpr Wide operator-() const { return Wide() - *this; }
   friend constexpr Wide operator*(const Wide& a, const Wide& b) {
     if constexpr (is_pair) return of_pair(a.pair() * b.pair());
-    return a.is_zero() || b.is_zero() ? Wide() : product(a, b);
+    return product<Bits>(a, b);
   }
+  // In full.
+  constexpr Wide<2 * Bits> full_product(const Wide& b) const { return product<2 * Bits>(*this, b); }
 
   // The product with a small number: one pass over the limbs, no sign handling (modulo 2^Bits it comes out right).
   constexpr Wide times(std::int32_t n) const {
@@ -180,23 +182,27 @@ class Wide {
     return n;
   }
   // Not inlined: a face's forms take a hundred.
-  [[gnu::noinline]] static constexpr Wide product(const Wide& a, const Wide& b) {
+  template <int To>
+  [[gnu::noinline]] static constexpr Wide<To> product(const Wide& a, const Wide& b) {
+    if (a.is_zero() || b.is_zero()) return {};
     const bool negate = a.negative() != b.negative();
-    const Wide product = multiply_magnitudes(a.magnitude(), b.magnitude());
+    const Wide<To> product = multiply_magnitudes<To>(a.magnitude(), b.magnitude());
     return negate ? -product : product;
   }
-  static constexpr Wide multiply_magnitudes(const Wide& a, const Wide& b) {
-    Wide r;
+  template <int To>
+  static constexpr Wide<To> multiply_magnitudes(const Wide& a, const Wide& b) {
+    constexpr int to_limbs = Wide<To>::limbs;
+    Wide<To> r;
     const int na = a.used();
     const int nb = b.used();
     for (int i = 0; i < na; ++i) {
       Limb carry = 0;
-      for (int j = 0; j < nb && i + j < limbs; ++j) {
-        const DoubleLimb t = static_cast<DoubleLimb>(a.limb_[i]) * b.limb_[j] + r.limb_[i + j] + carry;
-        r.limb_[i + j] = static_cast<Limb>(t);
+      for (int j = 0; j < nb && i + j < to_limbs; ++j) {
+        const DoubleLimb t = static_cast<DoubleLimb>(a.limb_[i]) * b.limb_[j] + r.limb(i + j) + carry;
+        r.set_limb(i + j, static_cast<Limb>(t));
         carry = static_cast<Limb>(t >> limb_bits);
       }
-      if (i + nb < limbs) r.limb_[i + nb] = carry;
+      if (i + nb < to_limbs) r.set_limb(i + nb, carry);
     }
     return r;
   }

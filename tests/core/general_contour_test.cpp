@@ -462,6 +462,42 @@ TEST(LevelChord, SaysNoMoreThanHolds) {
   }
 }
 
+// On line after line a span of few dots beside the outline of a large face: chords alone trace most of them.
+TEST(GeneralContour, RimsOfLargeFaces) {
+  Dice dice(42);
+  Tally tally;
+  for (int trial = 0; trial < testing::trials(120); ++trial) {
+    constexpr std::int32_t lines = 16;
+    const auto width = static_cast<std::int32_t>(between(dice, 400, 1000));
+    const Lighting lighting = random_lighting(dice);
+    const TestFace face = trial % 4 == 0   ? quotient_face(dice, width, true, lighting)
+                          : trial % 4 == 1 ? asymptotic_face(dice, width, lighting)
+                                           : solid_face(dice, between(dice, 0, width), between(dice, 0, width),
+                                                        between(dice, width / 3, width), lighting);
+    const std::int32_t levels = random_levels(dice);
+    const ExactModule* exact = exact_for({&face}, lighting, levels, width);
+    if (face.active.kind == FaceKind::plane || exact == nullptr) continue;
+    Canvas canvas(lighting, levels, width);
+    canvas.keep();
+    const auto most = static_cast<std::int32_t>(between(dice, 2, 80));
+    const auto top = static_cast<std::int32_t>(between(dice, 0, width - lines));
+    for (std::int32_t y = top; y < top + lines; ++y) {
+      for (const DotRun& run : runs_of(face, y, width)) {
+        for (const DotRun& part :
+             {DotRun{run.x0, std::min(run.x1, run.x0 + most)}, DotRun{std::max(run.x0, run.x1 - most), run.x1}}) {
+          const Row row = canvas.contour(face, *exact, y, part);
+          ASSERT_EQ(row.levels, canvas.dots(face, *exact, y, part).levels)
+              << "trial " << trial << " dots " << part.x0 << ".." << part.x1 << " line " << y;
+          tally.dots += static_cast<std::uint64_t>(part.x1 - part.x0 + 1);
+          tally.asked += row.counters.intensities;
+        }
+      }
+    }
+  }
+  EXPECT_GT(tally.dots, testing::trials(50000U));
+  EXPECT_LT(tally.asked * 3, tally.dots);
+}
+
 // The point of it: few dots of a large face are asked for themselves.
 TEST(GeneralContour, FollowsBoundariesNotDots) {
   const Lighting lighting = plain_lighting({-300, 200, -800});
